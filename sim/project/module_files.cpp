@@ -72,7 +72,8 @@ const ModuleFiles::Definition* ModuleFiles::definition(const std::string& name, 
     if (const Definition* d = in_any_case(name); d && (from_vhdl || is_vhdl(*d))) return d;
     for (const fs::path& file : finder_.with_stem(name))
         if (const auto language = language_of(file); language && !known_.count(file)) {
-            add({file, *language, false, {}});
+            const bool system = is_system_verilog_ && *language == SourceFile::Language::VERILOG;
+            add({file, system ? SourceFile::Language::SYSTEM_VERILOG : *language, false, {}});
             if (const auto i = modules_.find(name); i != modules_.end()) {
                 notes_.push_back(
                     fmt::format("12125: {} is not listed; it defines {}", place(file), name));

@@ -36,7 +36,10 @@ public:
                 std::vector<std::string>& notes)
         : folder_{folder}, finder_{folder}, macros_{macros}, notes_{notes} {}
 
+    const std::filesystem::path& folder() const { return folder_; }  // the project's
     const FileFinder& finder() const { return finder_; }
+    // .v files that are found, not listed, are SystemVerilog, too.
+    void take_verilog_as_system_verilog() { is_system_verilog_ = true; }
     // Its name as seen from the project's folder.
     std::string place(const std::filesystem::path& file) const;
 
@@ -71,6 +74,7 @@ private:
 
     const std::filesystem::path folder_;
     const FileFinder finder_;
+    bool is_system_verilog_ = false;
     const std::vector<std::string>& macros_;
     std::vector<std::string>& notes_;
     std::deque<Source> sources_;  // whose modules stay where they are

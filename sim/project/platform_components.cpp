@@ -47,6 +47,12 @@ void PlatformComponents::find_names() {
     for (const fs::path& folder : folders)
         for (const auto& entry : fs::directory_iterator{folder, error})
             candidates.push_back(entry.path());
+    // Or in a folder `ip`, which projects for several boards share.
+    const fs::path shared = files_.folder().parent_path() / "ip";
+    if (fs::is_directory(shared, error)) {
+        const FileFinder beside{shared};
+        candidates.insert(candidates.end(), beside.files().begin(), beside.files().end());
+    }
     for (const fs::path& file : candidates) {
         const std::string name = lower(file.filename().string());
         if (name.size() < ENDING.size() || name.substr(name.size() - ENDING.size()) != ENDING)

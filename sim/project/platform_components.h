@@ -20,8 +20,8 @@ public:
         : files_{files}, notes_{notes} {}
 
     // The _hw.tcl of a kind: ours (rtl/ip/qsys), else one of the project's that gives itself this
-    // name, also beside a file of the project's elsewhere, else one whose file has it.  Nothing:
-    // there is none.
+    // name, also beside a file of the project's elsewhere or in a folder `ip` beside the project's,
+    // else one whose file has it.  Nothing: there is none.
     std::optional<std::filesystem::path> hw_tcl(const std::string& kind);
 
     // By its _hw.tcl; else by SYSTEM.sopcinfo, with the module of this name or of these ports; else

@@ -50,6 +50,7 @@ public:
                 if (a.name == "VERILOG_INPUT_VERSION")
                     is_system_verilog_ = lower(a.value).compare(0, 13, "systemverilog") == 0;
             }
+            if (is_system_verilog_) files_.take_verilog_as_system_verilog();
             for (const Assignment& a : all) apply(a);
             for (const fs::path& file : listed_systems_) add_system(file);
             if (project_.top.empty()) project_.top = settings_.stem().string();

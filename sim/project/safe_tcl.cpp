@@ -10,6 +10,8 @@
 
 namespace sim::project {
 
+namespace fs = std::filesystem;
+
 namespace {
 
 constexpr int MOST_COMMANDS = 1'000'000, MOST_SECONDS = 2;
@@ -23,6 +25,18 @@ foreach {name order} {max > min <} {
     }]
 }
 )";
+
+std::string path_joined(const SafeTcl::Words& words, std::size_t first) {
+    std::string path;
+    for (std::size_t i = first; i < words.size(); ++i) {
+        if (words[i].empty()) continue;
+        if (words[i][0] == '/' || path.empty())
+            path = words[i];
+        else
+            path += (path.back() == '/' ? "" : "/") + words[i];
+    }
+    return path;
+}
 
 }  // namespace
 
@@ -112,6 +126,23 @@ SafeTcl::Extent SafeTcl::next_command(const std::string& text, std::size_t from)
                         parse.numWords == 0};
     Tcl_FreeParse(&parse);
     return extent;
+}
+
+std::optional<std::string> file_result(const SafeTcl::Words& words, const fs::path& folder) {
+    const std::string& what = words[1];
+    const fs::path path{words[2]};
+    if (what == "join") return path_joined(words, 2);
+    if (what == "dirname") return path.has_parent_path() ? path.parent_path().string() : ".";
+    if (what == "tail") return path.filename().string();
+    if (what == "extension") return path.extension().string();
+    if (what == "rootname") return fs::path{path}.replace_extension().string();
+    if (what == "normalize") return (folder / path).lexically_normal().string();
+    if (what == "nativename") return words[2];
+    std::error_code error;
+    if (what == "exists" || what == "isfile")
+        return fs::is_regular_file(folder / path, error) ? "1" : "0";
+    if (what == "isdirectory") return fs::is_directory(folder / path, error) ? "1" : "0";
+    return std::nullopt;
 }
 
 std::vector<std::string> words_of_list(const std::string& list) {

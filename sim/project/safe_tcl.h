@@ -4,8 +4,10 @@
 // no other program.  It runs at most a million commands, and 2 s.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +46,11 @@ private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+// What Tcl's `file` says of paths, which are seen from `folder`, with the command and at least two
+// words; nothing: what it is asked is not answered here.
+std::optional<std::string> file_result(const SafeTcl::Words& words,
+                                       const std::filesystem::path& folder);
 
 // The words of a list.  std::runtime_error: it is none.
 std::vector<std::string> words_of_list(const std::string& list);

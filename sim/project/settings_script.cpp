@@ -46,18 +46,6 @@ bool is_of_quartus(const std::string& name) {
     return NAMES.count(name) > 0;
 }
 
-std::string path_joined(const Words& words, std::size_t first) {
-    std::string path;
-    for (std::size_t i = first; i < words.size(); ++i) {
-        if (words[i].empty()) continue;
-        if (words[i][0] == '/' || path.empty())
-            path = words[i];
-        else
-            path += (path.back() == '/' ? "" : "/") + words[i];
-    }
-    return path;
-}
-
 class SettingsScript {
 public:
     SettingsScript() {
@@ -96,6 +84,10 @@ private:
         for (std::size_t at = 0; at < script.size();) {
             SafeTcl::Extent extent;
             try {
+                if (close_bracket(script, at)) {
+                    line_ = line;
+                    note("a \"]\" is missing, and taken to be at the end of its word");
+                }
                 extent = tcl_.next_command(script, at);
             } catch (const std::exception& error) {
                 std::size_t begin = at;
@@ -115,6 +107,24 @@ private:
         std::tie(file_, line_) = before;
         folder_ = qip_before;
         tcl_.set("quartus", "qip_path", folder_);
+    }
+
+    // Of a pin's index without its end, as in GPIO_1[22: gives it one, in an
+    // assignment of one line.
+    static bool close_bracket(std::string& script, std::size_t at) {
+        if (script.compare(at, 4, "set_") != 0) return false;
+        const std::size_t end = std::min(script.find('\n', at), script.size());
+        const auto count = [&](char bracket) {
+            return std::count(script.begin() + static_cast<std::ptrdiff_t>(at),
+                              script.begin() + static_cast<std::ptrdiff_t>(end), bracket);
+        };
+        if (count('[') != count(']') + 1) return false;
+        std::size_t last = script.rfind('[', end);
+        if (script.find(']', last) < end) return false;
+        while (++last < end && std::isalnum(static_cast<unsigned char>(script[last]))) {
+        }
+        script.insert(last, "]");
+        return true;
     }
 
     void evaluate(std::string command) {
@@ -191,21 +201,10 @@ private:
     // The subcommands that have to do with names, and whether a file of the project is there.
     std::string of_file(const Words& words) {
         if (words.size() < 3) return {};
-        const std::string& what = words[1];
-        const fs::path path{words[2]};
-        if (what == "join") return path_joined(words, 2);
-        if (what == "dirname") return path.has_parent_path() ? path.parent_path().string() : ".";
-        if (what == "tail") return path.filename().string();
-        if (what == "extension") return path.extension().string();
-        if (what == "rootname") return fs::path{path}.replace_extension().string();
-        if (what == "normalize") return (fs::path{folder_} / path).lexically_normal().string();
-        if (what == "nativename") return words[2];
-        std::error_code error;
-        if (what == "exists" || what == "isfile")
-            return fs::is_regular_file(fs::path{folder_} / path, error) ? "1" : "0";
-        if (what == "isdirectory")
-            return fs::is_directory(fs::path{folder_} / path, error) ? "1" : "0";
-        throw ProjectError{fmt::format("{}: `file {}` is not for settings", place(), what)};
+        const auto result = file_result(words, folder_);
+        if (!result)
+            throw ProjectError{fmt::format("{}: `file {}` is not for settings", place(), words[1])};
+        return *result;
     }
 
     void assign(const Words& words) {

@@ -207,12 +207,29 @@ private:
     void open_constants(std::size_t i, const ModuleText& module) {
         for (const ConnectionText& c : connections_of(tokens_.all, i, module)) {
             const Token& value = tokens_.all[c.first];
-            if (c.last != c.first + 1 || value.kind != Kind::NUMBER ||
-                !module.outputs.count(c.port))
-                continue;
+            if (!module.outputs.count(c.port)) continue;
+            if (value.is("{")) open_bits(i, c);
+            if (c.last != c.first + 1 || value.kind != Kind::NUMBER) continue;
             edits_.left_out.insert(c.first);
             edits_.notes[c.first] =
                 fmt::format("left output {} open, which is connected with {}", c.port, value.text);
+        }
+    }
+    // .q({1'b0, HEX0}): the bits of constants, which have a size, are open.
+    void open_bits(std::size_t instance, const ConnectionText& c) {
+        const auto& all = tokens_.all;
+        for (std::size_t at = c.first + 1; at + 1 < c.last; ++at) {
+            if (all[at].kind != Kind::NUMBER || !(all[at - 1].is("{") || all[at - 1].is(",")) ||
+                !(all[at + 1].is("}") || all[at + 1].is(",")))
+                continue;
+            const std::string size{all[at].text.substr(0, all[at].text.find('\''))};
+            if (size.size() == all[at].text.size() || size.empty()) continue;
+            const std::string open = fmt::format("de1sim_unused_{}", at);
+            edits_.before[instance] += fmt::format("wire [{}-1:0] {}; ", size, open);
+            edits_.before[at] += open;
+            edits_.left_out.insert(at);
+            edits_.notes[at] = fmt::format(
+                "left bits of output {} open, which are connected with {}", c.port, all[at].text);
         }
     }
     // `.port()`, of a port that the module has not: published projects that run on boards have it.

@@ -1,4 +1,6 @@
 """components_test.py DE1SIM FOLDER [CASE...] - what describes a component"""
+import shutil
+
 from case import run
 from systems import LW, SystemCase, clocked
 
@@ -109,6 +111,27 @@ class Components(SystemCase):
         (self.folder / "adder.v").replace(cores / "adder.v")
         (cores / "some_hw.tcl").write_text(HW_TCL)
         self.list_verilog("../cores/adder")
+        self.shows(0x81234566 >> 22)
+
+    def test_a_hw_tcl_in_a_folder_ip_beside_the_projects(self):
+        self.adder()
+        shared = self.folder.parent / "ip"
+        self.addCleanup(shutil.rmtree, shared)
+        (shared / "adder").mkdir(parents=True)
+        (self.folder / "adder.v").replace(shared / "adder" / "adder.v")
+        (shared / "adder" / "some_hw.tcl").write_text(HW_TCL)
+        self.shows(0x81234566 >> 22)
+
+    def test_a_hw_tcl_looks_for_its_verilog(self):
+        self.adder()
+        path = self.folder / "adder_hw.tcl"
+        path.write_text(HW_TCL.replace(
+            "add_fileset_file adder.v VERILOG PATH adder.v",
+            "foreach f {no/adder.v adder.v} {\n    set f [file normalize $f]\n"
+            "    if {[file exists $f]} { break }\n}\n"
+            "if {![file exists $f]} { error \"not in [pwd]\" }\n"
+            "add_fileset_file adder.v VERILOG PATH $f"))
+        self.assertIn("[pwd]", path.read_text())
         self.shows(0x81234566 >> 22)
 
     def test_the_name_of_the_module_that_the_component_editor_leaves(self):

@@ -411,6 +411,31 @@ class Wrong(Case):
             self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(len(list(self.folder.glob("cache/de1sim/runtime/*/*.a"))), 1)
 
+    def test_constants_among_what_an_output_is_connected_with_are_open(self):
+        self.write(top_v="module top(input [9:0] SW, output [9:0] LEDR);\n"
+                         "sub s(.a(SW[7:0]), .q({1'b0, LEDR[2:0], 3'd5, LEDR[3]}));\n"
+                         "assign LEDR[9:4] = 0;\nendmodule\n"
+                         "module sub(input [7:0] a, output [7:0] q); assign q = ~a; endmodule\n")
+        self.leds(0b1111)
+
+    def test_elements_of_an_array_of_two_dimensions_have_a_driver_each(self):
+        self.write(top_v="module top(input [9:0] SW, output [9:0] LEDR);\n"
+                         "wire [4:0] v [0:1][0:1];\n"
+                         "genvar i, j; generate for (i = 0; i < 2; i = i + 1)\n"
+                         "for (j = 0; j < 2; j = j + 1) begin : a\n"
+                         "assign v[i][j] = 5 * i + j; end endgenerate\n"
+                         "assign LEDR = {v[1][1], v[0][1]};\nendmodule\n")
+        self.leds(0b0011000001)
+
+    def test_a_file_that_is_found_is_system_verilog_where_the_settings_say_so(self):
+        self.write(p_qsf="set_global_assignment -name VERILOG_INPUT_VERSION SYSTEMVERILOG_2005\n"
+                         "set_global_assignment -name VERILOG_FILE top.v\n"
+                         "set_global_assignment -name TOP_LEVEL_ENTITY top\n",
+                   top_v="module top(output [9:0] LEDR);\nsub s(LEDR);\nendmodule\n",
+                   sub_v="module sub(output [9:0] q);\n"
+                         "for (genvar i = 0; i < 10; i++) assign q[i] = i % 2;\nendmodule\n")
+        self.leds(0b1010101010)
+
     def test_the_native_processor(self):
         self.write(top_v=LEDS.format("SW"), s_yaml="name: x\nversion: 1\nsteps: [delay: 1ms]\n")
         self.refused("--cpu: native is this project's own firmware", "run", "s.yaml", "--project",

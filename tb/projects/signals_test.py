@@ -57,6 +57,25 @@ class GeneralPurpose(SignalCase):
         self.shows(0x3F0 ^ 3, ["hold: {switch: [0, 1]}"])
 
 
+    def test_platform_designer_has_a_cold_reset_and_the_processors_events(self):
+        processor = {**BASE[1][2], "S2FCLK_COLDRST_Enable": "true"}
+        self.write(sys_qsys=qsys([BASE[0], ("hps_0", "altera_hps", processor)], CLOCKS,
+                                 [("cold", "hps_0.h2f_cold_reset"),
+                                  ("events", "hps_0.h2f_mpu_events")]),
+                   top_v="module top(input CLOCK_50, output [9:0] LEDR);\n"
+                         "wire cold_n, o; wire [1:0] wfe, wfi;\n"
+                         "assign LEDR = {4'd5, cold_n, wfi, wfe, o};\n"
+                         "sys system(.clk_clk(CLOCK_50), .reset_reset_n(1'b1),\n"
+                         "    .cold_reset_n(cold_n), .events_eventi(1'b0),\n"
+                         "    .events_evento(o), .events_standbywfe(wfe),\n"
+                         "    .events_standbywfi(wfi));\nendmodule\n",
+                   top_qsf="set_global_assignment -name DEVICE 5CSEMA5F31C6\n"
+                           "set_global_assignment -name VERILOG_FILE top.v\n"
+                           "set_global_assignment -name QSYS_FILE sys.qsys\n")
+        self.program("")
+        self.shows(0x160)
+
+
 class UserClocks(SignalCase):
     COUNTERS = """reg [13:0] all = 0; reg [13:0] c0 = 0, c1 = 0, c2 = 0;
 wire counts = all < 5000; assign LEDR = {7'd0, c2 - 14'd13328 < 8,

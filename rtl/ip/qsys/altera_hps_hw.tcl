@@ -6,7 +6,7 @@ foreach {name value} {
     S2F_Width 2 F2S_Width 2 LWH2F_Enable true F2SDRAM_Type "" F2SDRAM_Width ""
     F2SINTERRUPT_Enable false F2SCLK_COLDRST_Enable false F2SCLK_DBGRST_Enable false
     F2SCLK_WARMRST_Enable false STM_Enable false GP_Enable false
-    S2FCLK_COLDRST_Enable false S2FCLK_PENDINGRST_Enable false MPU_EVENTS_Enable false
+    S2FCLK_COLDRST_Enable false S2FCLK_PENDINGRST_Enable false MPU_EVENTS_Enable true
     BOOTFROMFPGA_Enable false DEBUGAPB_Enable false TPIUFPGA_Enable false CTI_Enable false
     S2FCLK_USER0CLK_Enable false S2FCLK_USER1CLK_Enable false S2FCLK_USER2CLK_Enable false
     MEM_ROW_ADDR_WIDTH 15 MEM_DQ_WIDTH 32 MEM_BANKADDR_WIDTH 3
@@ -187,6 +187,7 @@ proc reset {name direction} {
     add_interface $name reset [expr {$direction eq "Output" ? "start" : "end"}]
     set port ${name}_n
     if {$name eq "h2f_reset"} { set port h2f_rst_n }
+    if {$name eq "h2f_cold_reset"} { set port h2f_cold_rst_n }
     add_interface_port $name $port reset_n $direction 1
 }
 

@@ -65,6 +65,7 @@ public:
                 return (this->*command)(words);
             });
         for (const char* name : SILENT) tcl_.add(name, [](const Words&) { return ""; });
+        tcl_.add("pwd", [this](const Words&) { return folder().string(); });
         tcl_.add("unknown", [this](const Words& words) -> std::string {
             fail(fmt::format("the command {} is not one that describes a component",
                              words.size() > 1 ? words[1] : ""));
@@ -153,6 +154,14 @@ private:
         script_ = script;
         line_ = line;
         return {};
+    }
+
+    fs::path folder() const { return fs::absolute(component_.file).parent_path(); }
+    std::string of_file(const Words& words) {
+        need(words, 2);
+        const auto result = file_result(words, folder());
+        if (!result) fail("`file " + words[1] + "` is not for the description of a component");
+        return *result;
     }
 
     std::string set_module_property(const Words& words) {
@@ -393,6 +402,7 @@ private:
 
     const std::vector<std::pair<const char*, Method>> METHODS{
         {"source", &ComponentReader::source},
+        {"file", &ComponentReader::of_file},
         {"set_module_property", &ComponentReader::set_module_property},
         {"get_module_property", &ComponentReader::get_module_property},
         {"add_parameter", &ComponentReader::add_parameter},

@@ -32,9 +32,13 @@ std::map<std::string, std::string> parameters_of(const pugi::xml_node& node) {
 
 Connection::Kind kind_of(const std::string& name) {
     static const std::map<std::string, Connection::Kind> KINDS{
-        {"avalon", Connection::Kind::AVALON},   {"clock", Connection::Kind::CLOCK},
-        {"reset", Connection::Kind::RESET},     {"interrupt", Connection::Kind::INTERRUPT},
-        {"conduit", Connection::Kind::CONDUIT}, {"avalon_streaming", Connection::Kind::STREAMING}};
+        {"avalon", Connection::Kind::AVALON},
+        {"clock", Connection::Kind::CLOCK},
+        {"reset", Connection::Kind::RESET},
+        {"interrupt", Connection::Kind::INTERRUPT},
+        {"conduit", Connection::Kind::CONDUIT},
+        {"avalon_streaming", Connection::Kind::STREAMING},
+        {"tristate_conduit", Connection::Kind::CONDUIT}};
     const auto found = KINDS.find(name);
     return found == KINDS.end() ? Connection::Kind::OTHER : found->second;
 }

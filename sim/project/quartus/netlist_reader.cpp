@@ -239,6 +239,9 @@ private:
         Node inner;
         d.high = ~0u;
         bool part = false;
+        // An element's number has bits for the index of each dimension, the last one's first.
+        constexpr unsigned INDEX_BITS = 20, MOST_DIMENSIONS = 3;
+        unsigned dimensions = 0;
         for (;;) {
             if (is_node(*base, "varref")) break;
             const Node first = base->first_child(), index = first.next_sibling();
@@ -257,8 +260,12 @@ private:
                 d.exact = false;
             } else if (is_node(*base, "arraysel")) {
                 read(index);
-                d.element = static_cast<long>(constant(index));
-                if (d.element < 0) d.exact = false;
+                const long long at = constant(index);
+                if (at < 0 || dimensions == MOST_DIMENSIONS) d.exact = false;
+                if (d.exact)
+                    d.element =
+                        static_cast<long>(at << INDEX_BITS * dimensions | std::max(d.element, 0L));
+                ++dimensions;
             } else if (is_node(*base, "concat") || is_node(*base, "extend") ||
                        is_node(*base, "extends")) {
                 if (part) return drive_all(*base);

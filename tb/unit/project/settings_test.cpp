@@ -153,6 +153,17 @@ TEST_F(Settings, ABackslashInAPathIsNoEscape) {
     EXPECT_EQ(all[1].value, "rtl\\a b.v");
 }
 
+TEST_F(Settings, ABracketThatIsMissingIsAtTheEndOfItsWord) {
+    const auto all = read(
+        "set_location_assignment PIN_AG20 -to GPIO_1[22\nset_location_assignment "
+        "PIN_AH20 -to GPIO_1[23]\n");
+    ASSERT_EQ(all.size(), 2u);
+    EXPECT_EQ(all[0].to, "GPIO_1[22]");
+    ASSERT_EQ(settings.notes.size(), 1u);
+    EXPECT_EQ(settings.notes[0],
+              "p.qsf:1: a \"]\" is missing, and taken to be at the end of its word");
+}
+
 TEST_F(Settings, AWrongLineIsReportedWithItsFile) {
     EXPECT_EQ(refused("# one\nset a 1\nset_global_assignment -name X $nothing\n"),
               "p.qsf:3: this is wrong Tcl: can't read \"nothing\": no such variable");
