@@ -23,20 +23,39 @@
 `default_nettype none
 
 module fiftyfivenm_adcblock #(
-    parameter clkdiv = 1,
-    // verilator lint_off UNUSED
-    parameter tsclkdiv = 0, tsclksel = 0, prescalar = 0, refsel = 0, pwd = 0,
-    parameter device_partname_fivechar_prefix = "10M50",
+    parameter clkdiv = 1, CLKDIV = clkdiv,
     parameter is_this_first_or_second_adc = 1,
-    parameter analog_input_pin_mask = 0,
-    parameter enable_usr_sim = 0, reference_voltage_sim = 65536,
-    parameter simfilename_ch0 = "", simfilename_ch1 = "", simfilename_ch2 = "",
-    parameter simfilename_ch3 = "", simfilename_ch4 = "", simfilename_ch5 = "",
-    parameter simfilename_ch6 = "", simfilename_ch7 = "", simfilename_ch8 = "",
-    parameter simfilename_ch9 = "", simfilename_ch10 = "", simfilename_ch11 = "",
-    parameter simfilename_ch12 = "", simfilename_ch13 = "", simfilename_ch14 = "",
-    parameter simfilename_ch15 = "", simfilename_ch16 = "",
-    parameter lpm_hint = "UNUSED", lpm_type = "fiftyfivenm_adcblock"
+    parameter IS_THIS_FIRST_OR_SECOND_ADC = is_this_first_or_second_adc,
+    // verilator lint_off UNUSED
+    parameter tsclkdiv = 0, TSCLKDIV = tsclkdiv,
+    parameter tsclksel = 0, TSCLKSEL = tsclksel,
+    parameter prescalar = 0, PRESCALAR = prescalar,
+    parameter refsel = 0, REFSEL = refsel,
+    parameter pwd = 0, PWD = pwd,
+    parameter analog_input_pin_mask = 0, ANALOG_INPUT_PIN_MASK = analog_input_pin_mask,
+    parameter enable_usr_sim = 0, ENABLE_USR_SIM = enable_usr_sim,
+    parameter reference_voltage_sim = 65536, REFERENCE_VOLTAGE_SIM = reference_voltage_sim,
+    parameter device_partname_fivechar_prefix = "10M50",
+    parameter DEVICE_PARTNAME_FIVECHAR_PREFIX = device_partname_fivechar_prefix,
+    parameter simfilename_ch0 = "", SIMFILENAME_CH0 = simfilename_ch0,
+    parameter simfilename_ch1 = "", SIMFILENAME_CH1 = simfilename_ch1,
+    parameter simfilename_ch2 = "", SIMFILENAME_CH2 = simfilename_ch2,
+    parameter simfilename_ch3 = "", SIMFILENAME_CH3 = simfilename_ch3,
+    parameter simfilename_ch4 = "", SIMFILENAME_CH4 = simfilename_ch4,
+    parameter simfilename_ch5 = "", SIMFILENAME_CH5 = simfilename_ch5,
+    parameter simfilename_ch6 = "", SIMFILENAME_CH6 = simfilename_ch6,
+    parameter simfilename_ch7 = "", SIMFILENAME_CH7 = simfilename_ch7,
+    parameter simfilename_ch8 = "", SIMFILENAME_CH8 = simfilename_ch8,
+    parameter simfilename_ch9 = "", SIMFILENAME_CH9 = simfilename_ch9,
+    parameter simfilename_ch10 = "", SIMFILENAME_CH10 = simfilename_ch10,
+    parameter simfilename_ch11 = "", SIMFILENAME_CH11 = simfilename_ch11,
+    parameter simfilename_ch12 = "", SIMFILENAME_CH12 = simfilename_ch12,
+    parameter simfilename_ch13 = "", SIMFILENAME_CH13 = simfilename_ch13,
+    parameter simfilename_ch14 = "", SIMFILENAME_CH14 = simfilename_ch14,
+    parameter simfilename_ch15 = "", SIMFILENAME_CH15 = simfilename_ch15,
+    parameter simfilename_ch16 = "", SIMFILENAME_CH16 = simfilename_ch16,
+    parameter lpm_hint = "UNUSED", LPM_HINT = lpm_hint,
+    parameter lpm_type = "fiftyfivenm_adcblock", LPM_TYPE = lpm_type
     // verilator lint_on UNUSED
 ) (
     input  wire        clkin_from_pll_c0,
@@ -50,12 +69,12 @@ module fiftyfivenm_adcblock #(
 );
     `include "de1sim_analog.vh"
 
-    localparam [6:0] PERIOD = clkdiv == 1 ? 7'd2 : clkdiv == 2 ? 7'd10 : clkdiv == 3 ? 7'd20 :
-                              clkdiv == 4 ? 7'd40 : 7'd80;
+    localparam [6:0] PERIOD = CLKDIV == 1 ? 7'd2 : CLKDIV == 2 ? 7'd10 : CLKDIV == 3 ? 7'd20 :
+                              CLKDIV == 4 ? 7'd40 : 7'd80;
     localparam integer FULL_MV = 5000, STEPS = 4096;
 
-    initial if (clkdiv < 1 || clkdiv > 5) begin
-        $display("fiftyfivenm_adcblock: clkdiv is %0d, expected 1 to 5", clkdiv);
+    initial if (CLKDIV < 1 || CLKDIV > 5) begin
+        $display("fiftyfivenm_adcblock: clkdiv is %0d, expected 1 to 5", CLKDIV);
         $finish;
     end
 
@@ -73,7 +92,7 @@ module fiftyfivenm_adcblock #(
         endcase
     endfunction
 
-    wire [3:0] number = is_this_first_or_second_adc == 1 && !tsen ? input_of(chsel) : 4'd8;
+    wire [3:0] number = IS_THIS_FIRST_OR_SECOND_ADC == 1 && !tsen ? input_of(chsel) : 4'd8;
     integer    steps;
     reg  [6:0] count = 7'd0;  // clocks of the period
 

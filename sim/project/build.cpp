@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <regex>
 
 #include <fmt/format.h>
 
@@ -192,15 +191,36 @@ bool Builder::fit_inout(const std::string& error) {
         "but connection's .* generates ([0-9]+) bits.*"};
     std::smatch m;
     if (!std::regex_match(error, m, SAID)) return false;
-    const InoutFit fit{static_cast<unsigned>(std::stoul(m[2])), m[3],
-                       static_cast<unsigned>(std::stoul(m[4])),
-                       static_cast<unsigned>(std::stoul(m[5]))};
-    auto& fits = inout_fits_[m[1]];
+    if (!add_fit(m)) return false;
+    read_clean_sources();
+    return true;
+}
+
+// What Verilator has said of a connection: file, line, port, its bits, those of the wire.  False:
+// it is known.
+bool Builder::add_fit(const std::smatch& said) {
+    const InoutFit fit{static_cast<unsigned>(std::stoul(said[2])), said[3],
+                       static_cast<unsigned>(std::stoul(said[4])),
+                       static_cast<unsigned>(std::stoul(said[5]))};
+    auto& fits = inout_fits_[said[1]];
     const auto same = [&](const InoutFit& o) { return o.line == fit.line && o.port == fit.port; };
     if (std::any_of(fits.begin(), fits.end(), same)) return false;
     fits.push_back(fit);
-    read_clean_sources();
     return true;
+}
+
+// Quartus leaves the upper bits of a wire alone that is wider than the output it is connected with
+// (12030); Verilator drives them with 0, and so beside another driver.  False: there is none such.
+bool Builder::fit_outputs() {
+    static const std::regex SAID{
+        "%Warning-[A-Z]+: ([^:]*):([0-9]+):[0-9]+: Output port connection '([^']*)' expects "
+        "([0-9]+) bits on the pin connection, but pin connection's VARREF '[^']*' generates "
+        "([0-9]+) bits"};
+    bool is_new = false;
+    const std::string& all = verilator_output_;
+    for (std::sregex_iterator said{all.begin(), all.end(), SAID}, end; said != end; ++said)
+        if (std::stoul((*said)[5]) > std::stoul((*said)[4])) is_new |= add_fit(*said);
+    return is_new;
 }
 
 void Builder::read_clean_sources() {
@@ -241,8 +261,7 @@ void Builder::read_and_elaborate() {
             if (entity.is_set) is_new |= entity.add(parameters_of(tree(), entity.name));
         if (is_new) elaborate();
     }
-    design_.elaborated = read_elaborated(tree(), design_.project.top);
-    for (const InitFile& file : design_.elaborated.init_files) design_.init_files.push_back(file);
+    read_tree();
     design_.binding =
         sim::project::bind(design_.elaborated.ports, design_.project.pins, design_.project.board);
     add_board_clocks(design_.project.board, design_.elaborated, design_.binding);
@@ -254,9 +273,24 @@ void Builder::read_and_elaborate() {
     generate();
 }
 
+void Builder::read_tree() {
+    design_.elaborated = read_elaborated(tree(), design_.project.top);
+    for (const InitFile& file : design_.elaborated.init_files) design_.init_files.push_back(file);
+}
+
 void Builder::check() {
-    Checked checked = check_design(
-        {design_.project, tree().string(), verilator_output_, checks_, design_.elaborated.ports});
+    const auto look = [this] {
+        return check_design({design_.project, tree().string(), verilator_output_, checks_,
+                             design_.elaborated.ports});
+    };
+    const auto has_two_drivers = [](const Message& m) { return m.number == 12014; };
+    Checked checked = look();
+    if (std::any_of(checked.errors.begin(), checked.errors.end(), has_two_drivers) &&
+        fit_outputs()) {
+        elaborate();
+        read_tree();
+        checked = look();
+    }
     design_.warnings = std::move(checked.warnings);
     design_.self_reading = std::move(checked.self_reading);
     refuse(checked.errors);

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -56,10 +57,13 @@ private:
     void prepare_folder();
     void read_clean_sources();
     bool fit_inout(const std::string& error);
+    bool fit_outputs();
+    bool add_fit(const std::smatch& said);
     std::string translate(std::vector<std::string> command) const;
     void check();
     void refuse(const Messages& errors) const;
     void elaborate();
+    void read_tree();
     bool write_tree();
     std::filesystem::path tree() const;
     void generate();

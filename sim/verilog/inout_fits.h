@@ -1,9 +1,11 @@
-// inout_fits.h - inout ports that are connected with more or fewer bits than they have.
+// inout_fits.h - inout ports, and outputs, that are connected with more or fewer bits than they
+// have.
 //
 //   .data(DQ)     of 16 bits with a wire of 1 bit becomes    .data({de1sim_open_1, DQ})
 //   .data(bus)    of 8 bits with a wire of 16 bits becomes   .data(bus[7:0])
 //
 // Quartus warns and does the same.  Verilator refuses it, with the line and the numbers of bits.
+// So with outputs whose wire has more bits, of which others have another driver.
 //
 // Not handled: connections in the order of the ports; wires whose lowest bit has another number
 // than 0.

@@ -258,12 +258,15 @@ private:
         try {
             return run_ghdl({"--synth", out}, last);
         } catch (const Refusal& refusal) {
-            // What has no place of its own begins with the entity.
+            // What has no place of its own begins with the entity.  A body that is outdated had an
+            // error before.
             const std::string what = refusal.what(), entity = root.entity + ": ";
-            if (what.compare(0, entity.size(), entity) != 0) throw;
+            const bool is_outdated = what.find(" is outdated") != std::string::npos;
+            if (!is_outdated && what.compare(0, entity.size(), entity) != 0) throw;
             const std::string& printed = analysed_.at(root.entity);
             const std::string before = first_error(printed, root.entity);
             if (before.compare(0, entity.size(), entity) != 0) throw Refusal{before, printed};
+            if (is_outdated) throw;
             throw ProjectError{file_of(root.entity) + what.substr(root.entity.size())};
         }
     }

@@ -119,6 +119,29 @@ endmodule
         self.volts(0, 2, 1638)
         self.volts(5, 1, 819)
 
+    # With registers: a value that was asked for, then those that come by themselves.
+    def test_of_the_university_program_has_registers(self):
+        self.system([("adc", "altera_up_avalon_adc", {"board": "DE10-Lite", "numch_": "6",
+                                                      "AUTO_CLK_CLOCK_RATE": "50000000"})],
+                    [("clock", "clk_0.clk", "adc.clk"), ("reset", "clk_0.clk_reset", "adc.reset")],
+                    [("regs", "adc.adc_slave"), ("pins", "adc.external_interface")],
+                    """module top(input MAX10_CLK1_50, input [9:0] SW, output reg [9:0] LEDR);
+reg [7:0] n = 0; reg read = 0; wire waits; wire [31:0] data;
+sys system(.clk_clk(MAX10_CLK1_50), .reset_reset_n(1'b1),
+    .regs_address(read ? 3'd2 : {2'd0, SW[0]}), .regs_read(read), .regs_write(n == 8'd200),
+    .regs_writedata(32'd1), .regs_readdata(data),
+    .regs_waitrequest(waits), .pins_dout(1'b0));
+always @(posedge MAX10_CLK1_50) begin
+    n <= n + 1;
+    if (n == 8'd201) read <= 1;
+    if (read && !waits) begin read <= 0; if (data[15] == SW[0]) LEDR <= data[11:2]; end
+end
+endmodule
+""")
+        self.volts(2, 3, 2457)
+        self.plays("hold: {switch: 0}", "set-voltage: {channel: 2, volts: 1}", "delay: 1ms",
+                   f'expect-leds: "{819 >> 2:010b}"', project="p.qsf")
+
     def test_with_limits_is_refused(self):
         self.system([("pll", "altpll", PLL), ("adc", "altera_modular_adc", {"CORE_VAR": "1"})],
                     CLOCKS, [], "module top(input MAX10_CLK1_50); sys system(); endmodule\n")

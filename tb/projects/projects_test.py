@@ -206,6 +206,22 @@ class InoutPins(Case):
         self.leds(0b1111011111)
         self.leds(0b1111110111, 3)
 
+    # 12030: "The extra bits will be left dangling."
+    def test_an_output_leaves_the_upper_bits_of_a_wider_wire_to_others(self):
+        self.write(top_v="""module one(output q);
+assign q = 1'b1;
+endmodule
+module top(input [9:0] SW, output [9:0] LEDR);
+wire [2:0] w;
+one one(.q(w));
+assign w[1] = SW[0];
+assign w[2] = !SW[0];
+assign LEDR = {7'd0, w};
+endmodule
+""")
+        self.leds(0b011, 1)
+        self.leds(0b101)
+
 
 class Clocks(Case):
     def test_keys_and_dividers(self):

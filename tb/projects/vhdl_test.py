@@ -344,6 +344,27 @@ class Vhdl(Case):
                             "architecture x of part is begin\nq <= a and gone; end;\n")
         self.refused('part.vhd:5:12: no declaration for "gone"')
 
+    # GHDL says of it only that it is outdated.
+    def test_an_error_in_the_body_of_a_package_has_its_place(self):
+        self.write(words_vhd=USE + """package words is
+function word(n : std_logic) return std_logic;
+end words;
+package body words is
+function word(n : std_logic) return std_logic is
+begin
+return gone;
+end word;
+end words;
+""", top_vhd=USE + """use work.words.all;
+entity top is port (SW : in std_logic_vector(9 downto 0); LEDR : out std_logic_vector(9 downto 0));
+end top;
+architecture a of top is
+begin
+LEDR <= (0 => word(SW(0)), others => '0');
+end a;
+""")
+        self.refused('words.vhd:8:8: no declaration for "gone"')
+
     def test_vhdl_that_nobody_needs(self):
         self.write(p_qsf=QSF.replace("lab", "top") +
                    "set_global_assignment -name VHDL_FILE a.vhd\n", a_vhd="entity broken ( is\n",

@@ -56,32 +56,12 @@ module altera_up_avalon_adc_mega #(
     // verilator lint_off WIDTH
     generate
         if (MAX10 != 0) begin : max10
-            wire       clk_10, locked;
-            wire [5:0] clocks;
-            wire [4:0] channel;
-            assign clk_10 = clocks[0];
             assign {ADC_CS_N, ADC_SCLK, ADC_DIN} = 3'b100;
-            assign number = channel[2:0] - 3'd1;
-            altpll #(
-                .inclk0_input_frequency(PERIOD_PS), .clk0_multiply_by(10), .clk0_divide_by(MHZ),
-                .port_clk0("PORT_USED"), .width_clock(6)
-            ) pll (
-                .inclk({1'b0, CLOCK}), .areset(1'b0), .pllena(1'b1), .clkena(6'h3f),
-                .clk(clocks), .locked(locked)
-            );
-            altera_modular_adc #(
-                .CLKDIV(2), .STORED(0), .LAST_SLOT(CHANNELS - 1),
-                .SLOTS({290'd0, 5'd6, 5'd5, 5'd4, 5'd3, 5'd2, 5'd1})
-            ) converter (
-                .clock_clk(CLOCK), .reset_sink_reset_n(!RESET), .adc_pll_clock_clk(clk_10),
-                .adc_pll_locked_export(locked),
-                .command_valid(1'b0), .command_channel(5'd0), .command_startofpacket(1'b0),
-                .command_endofpacket(1'b0),
-                .sequencer_csr_address(1'b0), .sequencer_csr_read(1'b0),
-                .sequencer_csr_write(!asked_q), .sequencer_csr_writedata(32'd1),
-                .sample_store_csr_address(7'd0), .sample_store_csr_read(1'b0),
-                .sample_store_csr_write(1'b0), .sample_store_csr_writedata(32'd0),
-                .response_valid(fresh), .response_channel(channel), .response_data(value)
+            de1sim_max10_adc #(
+                .CHANNELS(CHANNELS), .MHZ(MHZ), .PERIOD_PS(PERIOD_PS)
+            ) rounds (
+                .clock(CLOCK), .reset(RESET), .order(!asked_q), .order_data(2'd1), .fresh(fresh),
+                .number(number), .value(value)
             );
         end else begin : ltc2308
             reg  [2:0]  number_q;

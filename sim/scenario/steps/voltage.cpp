@@ -49,7 +49,8 @@ namespace steps {
 std::vector<StepForm> voltage() {
     return {
         {"set-voltage",
-         "Apply a voltage to an input of the AD converter and go on; all begin at 0 V.",
+         "Apply a voltage to an input of the AD converter and go on; all begin at 0 V. On a "
+         "DE10-Lite the inputs are Arduino_A0 to A5.",
          Notation::MAP,
          {},
          {{"channel", CHANNEL, Need::REQUIRED, "", "The input, CH0 to CH7."},
