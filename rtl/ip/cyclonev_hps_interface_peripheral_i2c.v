@@ -7,7 +7,7 @@
 
 module cyclonev_hps_interface_peripheral_i2c #(
     // The device's primitive has none.
-    parameter NUMBER = -1  // which controller; -1: by the instance's name
+    parameter number = -1, NUMBER = number  // which controller; -1: by the instance's name
 ) (
     input  wire scl,       // as they are on the bus
     input  wire sda,

@@ -7,7 +7,7 @@
 
 module cyclonev_hps_interface_peripheral_spi_master #(
     // The device's primitive has none.
-    parameter NUMBER = -1  // which master; -1: by the instance's name
+    parameter number = -1, NUMBER = number  // which master; -1: by the instance's name
 ) (
     input  wire rxd,       // MISO
     // verilator lint_off UNUSED

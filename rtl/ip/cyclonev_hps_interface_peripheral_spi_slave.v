@@ -5,7 +5,7 @@
 
 module cyclonev_hps_interface_peripheral_spi_slave #(
     // The device's primitive has none.
-    parameter NUMBER = -1  // which slave; -1: by the instance's name
+    parameter number = -1, NUMBER = number  // which slave; -1: by the instance's name
 ) (
     input  wire rxd,       // MOSI
     input  wire ss_in_n,

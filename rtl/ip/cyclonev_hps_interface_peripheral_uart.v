@@ -6,7 +6,7 @@
 
 module cyclonev_hps_interface_peripheral_uart #(
     // The device's primitive has none.
-    parameter NUMBER = -1  // which UART; -1: by the instance's name
+    parameter number = -1, NUMBER = number  // which UART; -1: by the instance's name
 ) (
     input  wire rxd,
     input  wire cts,

@@ -137,12 +137,12 @@ module de1sim_hps_axi #(
             {wrong_q, seen_q} <= bid == id ? {EARLY_BVALID, 8'd0, beat_q} : {BID, bid};
         if (r_ours) begin
             de1sim_hps_answered({28'd0, beat_q}, rdata);
-            if (rresp[1]) de1sim_hps_refused({30'd0, rresp});
+            if (rresp != 2'd0) de1sim_hps_refused({30'd0, rresp});
             if (rlast && !is_last) wrong_q <= EARLY_RLAST;
             if (!rlast && is_last) wrong_q <= NO_RLAST;
             if (!rlast && !is_last) beat_q <= beat_q + 4'd1;
         end else if (reads) {wrong_q, seen_q} <= {RID, rid};
-        if (b_ends && bresp[1]) de1sim_hps_refused({30'd0, bresp});
+        if (b_ends && bresp != 2'd0) de1sim_hps_refused({30'd0, bresp});
         if (b_ends || r_ends) open_q <= 1'b0;
         if (reset) {aw_q, w_q, ar_q, open_q} <= 4'b0000;
     end

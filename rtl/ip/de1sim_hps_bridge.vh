@@ -9,7 +9,7 @@ import "DPI-C" function longint de1sim_hps_burst();
 // A beat of it: returns the strobes of its bytes; `address` is of the bus's word.
 import "DPI-C" function int de1sim_hps_beat(input int beat, output int address,
                                             output bit [127:0] data);
-// The design has answered with an error: BRESP or RRESP, 2 or 3.
+// The design has answered otherwise than by OKAY: BRESP or RRESP, 1 to 3.
 import "DPI-C" function void de1sim_hps_refused(input int response);
 // The design has answered a beat of a read, each byte in its lane.
 import "DPI-C" function void de1sim_hps_answered(input int beat, input bit [127:0] data);

@@ -19,8 +19,8 @@
 // makes which; Cyclone V HPS TRM, "Upsizing Data Width Function", "Downsizing Data Width Function";
 // L2C-310 TRM (ARM DDI 0246), "Store buffer operation".
 //
-// Not handled: caches, which would fill and write back whole lines; exclusive accesses, which are
-// as others, with AxLOCK 0; the L2 cache, which the table takes to be on.
+// Not handled: caches, which would fill and write back whole lines; the L2 cache, which the table
+// takes to be on.
 #pragma once
 
 #include <cstdint>

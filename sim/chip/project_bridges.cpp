@@ -25,8 +25,8 @@ std::uint64_t next_event_ps() {
 
 using project::BridgeBurst;
 
-constexpr unsigned FIXED = 0, INCR = 1;  // AxBURST
-constexpr unsigned DECERR = 3;           // BRESP, RRESP
+constexpr unsigned FIXED = 0, INCR = 1;     // AxBURST
+constexpr unsigned EXOKAY = 1, DECERR = 3;  // BRESP, RRESP
 
 // The burst with its beats: what is read, or written, of `data`, which is the transaction's.
 BridgeBurst with_beats(const AxiBurst& burst, bool full, bool write, unsigned width,
@@ -87,7 +87,7 @@ tlm::tlm_response_status ProjectBridges::play(const BridgeBurst& burst, sc_time&
     delay = std::max(picoseconds(model.time_ps()), sc_time_stamp()) - sc_time_stamp();
     fpga_.notify_processor();
     const unsigned error = model.answer().error;
-    if (!error) return tlm::TLM_OK_RESPONSE;
+    if (error <= EXOKAY) return tlm::TLM_OK_RESPONSE;
     why_ = std::string{burst.write ? "BRESP" : "RRESP"} + (error == DECERR ? " DECERR" : " SLVERR");
     return tlm::TLM_GENERIC_ERROR_RESPONSE;
 }
@@ -124,9 +124,9 @@ void ProjectBridges::transport(bool full, tlm::tlm_generic_payload& tx, sc_time&
         tx.set_response_status(tlm::TLM_ADDRESS_ERROR_RESPONSE);
         return;
     }
-    const AxiAttributes strongly_ordered, *attributes = nullptr;
+    AxiAttributes strongly_ordered, *attributes = nullptr;
     tx.get_extension(attributes);
-    const AxiAttributes& how = attributes ? *attributes : strongly_ordered;
+    AxiAttributes& how = attributes ? *attributes : strongly_ordered;
     const bool write = tx.is_write();
     while (busy_ && !closed_) wait(free_);
     if (closed_) wait(never_);
@@ -138,7 +138,9 @@ void ProjectBridges::transport(bool full, tlm::tlm_generic_payload& tx, sc_time&
         burst.id = id_of(write, how);
         burst.cache = how.cache;
         burst.prot = how.prot;
+        burst.lock = how.exclusive ? 1 : 0;
         status = play(burst, delay);
+        how.exclusive_taken = fpga_.model().answer().error == EXOKAY;
         if (status != tlm::TLM_OK_RESPONSE) break;
         if (!write) take_answer(fpga_.model().answer(), tx.get_data_ptr() + part.first);
     }

@@ -17,9 +17,15 @@
 // Sources: Intel, "How do I decode the AXI ID fields from the HPS-FPGA bridges"; Cyclone V HPS TRM,
 // "HPS Peripheral Master Input IDs"; Cortex-A9 MPCore TRM (ARM DDI 0407I), 2.3.3.
 //
-// Not handled: posted writes, and bursts that overlap: the processor waits for each answer, where
-// the board's goes on after a store to Device or Normal memory.  That the store buffer's slots
-// write with the IDs that the TRM gives them for reads is not documented.
+// LDREX and STREX have AxLOCK 1.  The answer to STREX decides whether it succeeds: EXOKAY, or OKAY
+// of a slave that does not keep exclusive accesses apart, and then it fails each time.
+//
+// Not handled: posted writes, and bursts that overlap: the processor waits for each answer.  The
+// board's does so, too, for Strongly-ordered memory, which is all that a program without
+// translation tables reaches, and one of Linux by /dev/mem.  After a store to Device or Normal
+// memory it goes on.  For that the processor would have to run ahead of an answer whose time and
+// error only the design's clocks tell, and be taken back where the order is another.  That the
+// store buffer's slots write with the IDs that the TRM gives them for reads is not documented.
 #pragma once
 
 #include <cstdint>

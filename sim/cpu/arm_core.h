@@ -45,6 +45,8 @@ public:
     virtual bool write_normal(std::uint32_t address, unsigned bytes, std::uint32_t value) {
         return write(address, bytes, value);
     }
+    // Whether the target has done the last write as an exclusive one (STREX), else that fails.
+    virtual bool exclusive_stored() { return true; }
     // At a WFI: true if there is nothing to wait for, so that run() goes on.  (Unicorn's core calls
     // neither this nor unmasked().)
     virtual bool passes_wfi() { return false; }
@@ -209,6 +211,7 @@ public:
         unsigned words;   // that it transfers at rising addresses, where each is a call of its own
         unsigned cache;   // the memory's type, as the Cortex-A9's AxCACHE has it
         bool privileged;  // the mode
+        bool exclusive;   // LDREX, STREX
     };
     OnBus on_bus() const;
 

@@ -220,6 +220,7 @@ private:
     bool read(std::uint32_t address, unsigned bytes, std::uint32_t& value) override;
     bool write(std::uint32_t address, unsigned bytes, std::uint32_t value) override;
     bool write_normal(std::uint32_t address, unsigned bytes, std::uint32_t value) override;
+    bool exclusive_stored() override;
     bool passes_wfi() override { return irq_ || fiq_ || reset_; }
     void unmasked() override;
 
@@ -263,6 +264,7 @@ private:
     StoreBuffer stores_;
     AxiAttributes stored_;  // of those stores
     bool shows_bursts_ = false;
+    bool exclusive_failed_ = false;  // and has been reported
     WordBurst burst_;
     ArmShortcuts shortcuts_;
     ArmHandlers handlers_;

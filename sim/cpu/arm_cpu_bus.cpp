@@ -98,6 +98,8 @@ void ArmCpu::describe_access() {
     const ArmCore::OnBus on_bus = core_.on_bus();
     attributes_.cache = on_bus.cache;
     attributes_.prot = on_bus.privileged ? AxiAttributes::PRIVILEGED : 0;
+    attributes_.exclusive = on_bus.exclusive;
+    attributes_.exclusive_taken = true;
 }
 
 // The access is a word of a burst, if need be the first of a new one.
@@ -159,7 +161,19 @@ bool ArmCpu::write_now(std::uint32_t address, unsigned bytes, std::uint32_t valu
     return true;
 }
 
+// What is no bridge takes it as it takes others.
+bool ArmCpu::exclusive_stored() {
+    if (!shows_bursts_ || attributes_.exclusive_taken) return true;
+    if (!std::exchange(exclusive_failed_, true))
+        log_(fmt::format(
+            "an exclusive store (STREX) fails, as on the board: the design answers it with OKAY, "
+            "not with EXOKAY, so nobody there keeps accesses apart{}",
+            accessed()));
+    return false;
+}
+
 bool ArmCpu::write_normal(std::uint32_t address, unsigned bytes, std::uint32_t value) {
+    if (shows_bursts_ && core_.on_bus().exclusive) return write(address, bytes, value);
     if (!stores_.knows_page(address)) {
         drain();
         stores_.forget_page();

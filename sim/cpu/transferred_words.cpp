@@ -72,4 +72,11 @@ unsigned transferred_words(std::uint32_t instruction, bool thumb) {
     return words == 0 ? 1 : words;
 }
 
+bool is_exclusive(std::uint32_t w, bool thumb) {
+    if (!thumb) return w >> 28 != 15 && matches(w, 0x0F8000F0, 0x01800090);
+    if (matches(w, 0xFFE00000, 0xE8400000)) return true;
+    const std::uint32_t kind = w >> 4 & 0xF;  // of bytes, half-words, double words
+    return matches(w, 0xFFE00000, 0xE8C00000) && (kind == 4 || kind == 5 || kind == 7);
+}
+
 }  // namespace sim

@@ -20,6 +20,8 @@ struct AxiAttributes : tlm::tlm_extension<AxiAttributes> {
     unsigned beat_bytes = 0;  // the DMA controller's, 1 to 8
     bool fixed = false;       // each beat at the same address
     unsigned cache = STRONGLY_ORDERED, prot = PRIVILEGED;
+    bool exclusive = false;        // LDREX, STREX: AxLOCK 1
+    bool exclusive_taken = false;  // the answer: EXOKAY, not OKAY
 
     tlm::tlm_extension_base* clone() const override { return new AxiAttributes{*this}; }
     void copy_from(const tlm::tlm_extension_base& other) override {

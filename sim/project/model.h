@@ -39,7 +39,7 @@ struct BridgeBurst {
     std::uint32_t address;           // in the bridge's window
     unsigned beats, size, kind;      // AxLEN + 1, AxSIZE, AxBURST
     unsigned id, lock, cache, prot;  // AxID, AxLOCK, AxCACHE, AxPROT
-    unsigned error;                  // BRESP or RRESP, 2 SLVERR or 3 DECERR; else 0
+    unsigned error;                  // BRESP or RRESP: 1 EXOKAY, 2 SLVERR, 3 DECERR; else 0
     std::array<Beat, BEATS> beat;
 };
 

@@ -4,7 +4,8 @@ from systems import SystemCase
 
 # Prints a line for each burst: R or W, bus, ID, address, len, size, burst, lock, cache, prot; and
 # of a write, the strobes of each word.  It is a memory, whose IDs are wrong by WRONG; it answers
-# with SLVERR where bit 14 of the address is 1, with DECERR where bit 13 is, too.
+# with SLVERR where bit 14 of the address is 1, with DECERR where bit 13 is, too; and to exclusive
+# accesses with EXOKAY where bit 12 is 1.
 RECORDER = """module recorder #(parameter BYTES = 4, BITS = 21, WRONG = 0, LAST = 0) (
     input clk,
     input [11:0] awid, input [BITS-1:0] awaddr, input [3:0] awlen, input [2:0] awsize,
@@ -38,8 +39,10 @@ assign rlast = LAST || left == 1;
 always @* for (n = 0; n < BYTES; n = n + 1) rdata[8*n +: 8] = bytes[at / BYTES * BYTES + n];
 always @(posedge clk) begin
     answers <= wready && wvalid && left == 1;
-    if (awvalid && awready) error <= awaddr[14] ? {1'b1, awaddr[13]} : 2'd0;
-    if (arvalid && arready) error <= araddr[14] ? {1'b1, araddr[13]} : 2'd0;
+    if (awvalid && awready)
+        error <= awaddr[14] ? {1'b1, awaddr[13]} : {1'b0, awlock[0] && awaddr[12]};
+    if (arvalid && arready)
+        error <= araddr[14] ? {1'b1, araddr[13]} : {1'b0, arlock[0] && araddr[12]};
     if (awvalid && awready) begin
         $write("W%0d %h %h %0d %0d %0d %0d %b %b :", 8 * BYTES, awid, awaddr, awlen, awsize,
                awburst, awlock, awcache, awprot);
@@ -167,6 +170,32 @@ class Bursts(SystemCase):
 AT(0xC0100004, "stm r0!, {r1-r10}") R32(0xC0200000) = 1; R32(0xC0200004) = 2;
 AT(0xC0100008, "ldm r0, {r1-r8}") AT(0xC010000C, "ldm r0, {r1-r8}") (void)R32(0xC0100004);
 AT(0xC0200004, "ldm r0, {r1-r2}") """
+
+    # The first time that a STREX is executed it may fail.
+    EXCLUSIVE = """uint32_t old, failed, tries = 0;
+for (int n = 0; n < 2; n++) { tries = 0;
+    do __asm__ volatile("ldrex %0, [%2]\\nadd %0, %0, #1\\nstrex %1, %0, [%2]" : "=&r"(old),
+        "=&r"(failed) : "r"(0xC0001040) : "memory");
+    while (failed && ++tries < 5);
+}
+R32(0xC0000000 + 8 * failed) = tries << 8 | R32(0xC0001040);
+"""
+
+    def test_exclusive_accesses(self):
+        self.recorders()
+        lines = self.bursts(self.EXCLUSIVE)
+        self.assertEqual([line[7:] for line in lines[-4:-2]],
+                         [" 00001040 0 2 1 1 0000 001", " 00001040 0 2 1 1 0000 001 : 0f"])
+        self.assertEqual([line[:3] + line[7:16] for line in lines[-2:]],
+                         ["R64 00001040", "W64 00000000"])
+
+    def test_nobody_keeps_exclusive_accesses_apart(self):
+        self.recorders()
+        self.program(self.EXCLUSIVE.replace("1040", "0040"), HEAD)
+        done = self.played("delay: 5ms")
+        self.assertIn("an exclusive store (STREX) fails, as on the board: the design answers it "
+                      "with OKAY, not with EXOKAY", done.stderr)
+        self.assertIn("W64 002 00000008", done.stdout)
 
     def test_memory_types(self):
         """Normal, Device; the first store to a page goes alone."""

@@ -5,6 +5,7 @@
 
 namespace {
 
+using sim::is_exclusive;
 using sim::transferred_words;
 
 TEST(TransferredWords, OfArm) {
@@ -46,6 +47,20 @@ TEST(TransferredWords, OfThumb) {
     for (const std::uint32_t one :
          {0x6801u, 0xE7FEu, 0xE8502F00u, 0xE8D0F001u, 0xF8901005u, 0xF8D01005u, 0xE990C000u})
         EXPECT_EQ(transferred_words(one, true), 1u) << std::hex << one;
+}
+
+// Encodings as GNU as gives them.
+TEST(TransferredWords, AreExclusiveInLdrexAndItsLike) {
+    for (const std::uint32_t arm : {0xE1901F9Fu, 0xE1802F91u, 0xE1D01F9Fu, 0xE1C02F91u, 0xE1F01F9Fu,
+                                    0xE1E02F91u, 0xE1B02F9Fu, 0xE1A01F92u})
+        EXPECT_TRUE(is_exclusive(arm, false)) << std::hex << arm;
+    for (const std::uint32_t thumb : {0xE8501F00u, 0xE8401200u, 0xE8D01F4Fu, 0xE8C01F42u,
+                                      0xE8D01F5Fu, 0xE8C01F52u, 0xE8D0237Fu, 0xE8C02371u})
+        EXPECT_TRUE(is_exclusive(thumb, true)) << std::hex << thumb;
+    for (const std::uint32_t arm : {0xE5901000u, 0xE1D010B0u, 0xE1010092u, 0xF57FF01Fu})
+        EXPECT_FALSE(is_exclusive(arm, false)) << std::hex << arm;
+    for (const std::uint32_t thumb : {0x6801u, 0xE8D0F001u, 0xE9D02302u, 0xE8E02302u})
+        EXPECT_FALSE(is_exclusive(thumb, true)) << std::hex << thumb;
 }
 
 }  // namespace

@@ -225,9 +225,10 @@ void DataAccess::store(std::uint32_t address, T value) {
 
 template <class T>
 bool DataAccess::store_exclusive(std::uint32_t address, T value, T expected) {
-    if (load<T>(address) != expected) return false;
+    const bool on_bus = !mmu_.page(address).bytes;
+    if (!on_bus && load<T>(address) != expected) return false;
     store(address, value);
-    return true;
+    return !on_bus || !is_done() || bus_.exclusive_stored();
 }
 
 bool DataAccess::transfer(const SingleAccess& access) {

@@ -47,7 +47,8 @@ public:
     T load(std::uint32_t address);
     template <class T>
     void store(std::uint32_t address, T value);
-    // False, and nothing is stored, if there is something else than `expected`.
+    // False, and nothing is stored, if there is something else than `expected`; on the bus, if the
+    // target does not store it exclusively.
     template <class T>
     bool store_exclusive(std::uint32_t address, T value, T expected);
     // All of a load or store, in a step; its registers are changed if it is done, else not.

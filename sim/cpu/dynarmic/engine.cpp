@@ -99,6 +99,7 @@ bool ArmCore::Engine::done_directly(std::uint32_t pc, std::uint32_t before) {
     core_.count_ += unaccounted_;
     core_.last_pc_ = pc;
     words_ = 1;
+    exclusive_ = false;
     data_.begin_step({access->bytes, false, false});
     const bool done = data_.transfer(*access);
     data_.end_step();
@@ -224,6 +225,7 @@ std::optional<ArmStop> ArmCore::Engine::step() {
     const std::uint32_t word = code_.instruction(pc, cpu.thumb()).value_or(0);
     const Alignment required = alignment(word, cpu.thumb());
     words_ = transferred_words(word, cpu.thumb());
+    exclusive_ = is_exclusive(word, cpu.thumb());
     data_.begin_step(required);
     if (data_.refuses_structure(word)) {
         data_.end_step();

@@ -50,7 +50,7 @@ struct ArmCore::Engine final : private Dynarmic::A32::UserCallbacks {
     std::optional<ArmStop> step_by_bytes();
 
     // In an access to the bus.
-    OnBus on_bus() const { return {words_, data_.cache(), cpu.privileged()}; }
+    OnBus on_bus() const { return {words_, data_.cache(), cpu.privileged(), exclusive_}; }
 
 private:
     // What happened in a callback.
@@ -135,6 +135,7 @@ private:
 
     bool stepping_ = false;          // one instruction is being done, whose count is added already
     unsigned words_ = 1;             // that the one being done transfers
+    bool exclusive_ = false;         // it is LDREX, STREX or their like
     unsigned after_ = 0;             // instructions, by which the present run may do too many
     std::uint64_t unaccounted_ = 0;  // instructions of the present block, in a callback
     bool called_ = false;            // the run has ended with a call, for the tally

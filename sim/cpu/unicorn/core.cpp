@@ -30,12 +30,12 @@ ArmCore::OnBus ArmCore::on_bus() const {
     const std::uint32_t flags = cpsr();
     const bool thumb = flags & arm_cpsr::T, privileged = (flags & arm_cpsr::MODE) != arm_mode::USR;
     std::uint16_t half[2] = {};
-    if (!read_ram(last_pc_, half, sizeof half)) return {1, 0, privileged};
+    if (!read_ram(last_pc_, half, sizeof half)) return {1, 0, privileged, false};
     const std::uint32_t first = half[0], second = half[1];
     const std::uint32_t word = !thumb           ? first | second << 16
                                : first < 0xE800 ? first
                                                 : first << 16 | second;
-    return {transferred_words(word, thumb), 0, privileged};
+    return {transferred_words(word, thumb), 0, privileged, is_exclusive(word, thumb)};
 }
 
 const bool ArmCore::TELLS_OF_MASKS = false;

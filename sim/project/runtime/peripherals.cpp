@@ -59,7 +59,10 @@ DesignPeripherals::DesignPeripherals(const PlacedUart* placed) {
     placed_uarts = placed;
     peripheral_signals.clear();
     moved_peripherals.clear();
+    have_moved = false;
 }
+
+bool DesignPeripherals::have_moved = false;
 
 bool DesignPeripherals::has(Peripheral which) const { return signals_of(which) != nullptr; }
 
@@ -68,7 +71,7 @@ void DesignPeripherals::connect(ProcessorWires& wires, std::uint64_t now_ps) {
     moved_peripherals.clear();
     for (std::size_t n = 0; n < peripheral_signals.size(); ++n)
         moved_peripherals.push_back(static_cast<int>(n) + 1);
-    tell(now_ps);
+    tell_moved(now_ps);
 }
 
 bool DesignPeripherals::drive(Peripheral which, std::uint64_t levels) {
@@ -76,8 +79,9 @@ bool DesignPeripherals::drive(Peripheral which, std::uint64_t levels) {
     return signals && std::exchange(signals->to_design, levels) != levels;
 }
 
-void DesignPeripherals::tell(std::uint64_t now_ps) {
-    if (moved_peripherals.empty() || !wires_) return;
+void DesignPeripherals::tell_moved(std::uint64_t now_ps) {
+    if (!wires_) return;
+    have_moved = false;
     for (const int handle : std::exchange(moved_peripherals, {})) {
         const PeripheralSignals& signals = signals_by(handle);
         wires_->moved(signals.which, signals.from_design, now_ps);
@@ -107,8 +111,9 @@ extern "C" int de1sim_hps_peripheral(int kind, int number, long long idle) {
 extern "C" void de1sim_hps_signals(int handle, long long levels) {
     if (handle == 0) return;
     PeripheralSignals& signals = signals_by(handle);
-    if (std::exchange(signals.from_design, levels) != static_cast<std::uint64_t>(levels))
-        moved_peripherals.push_back(handle);
+    if (std::exchange(signals.from_design, levels) == static_cast<std::uint64_t>(levels)) return;
+    moved_peripherals.push_back(handle);
+    DesignPeripherals::have_moved = true;
 }
 
 extern "C" long long de1sim_hps_levels(int handle) {

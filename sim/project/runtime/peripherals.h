@@ -22,9 +22,15 @@ public:
     // Returns whether the level to the design is another now, which an evaluation has to show it.
     bool drive(Peripheral which, std::uint64_t levels);
     // After each evaluation.
-    void tell(std::uint64_t now_ps);
+    void tell(std::uint64_t now_ps) {
+        if (have_moved) tell_moved(now_ps);
+    }
+
+    static bool have_moved;  // since somebody was told
 
 private:
+    void tell_moved(std::uint64_t now_ps);
+
     ProcessorWires* wires_ = nullptr;
 };
 
