@@ -246,17 +246,22 @@ assign LEDR = {can, &chips, &ce, |usb | stp, |eth | |sd_en, |trace, |address | s
             "F2SCLK_WARMRST", "S2FCLK_USER0CLK", "S2FCLK_USER1CLK", "S2FCLK_USER2CLK")}
         exported = ("h2f_gp h2f_mpu_events h2f_debug_apb h2f_debug_apb_sideband "
                     "h2f_debug_apb_reset f2h_stm_hw_events h2f_cti h2f_tpiu h2f_tpiu_clock "
-                    "f2h_boot_from_fpga h2f_cold_reset h2f_warm_reset_handshake can0").split()
+                    "f2h_boot_from_fpga h2f_cold_reset h2f_warm_reset_handshake can0 "
+                    "emac0 emac0_md_clk emac0_gtx_clk emac0_rx_clk_in emac0_tx_clk_in "
+                    "emac0_rx_reset emac0_tx_reset emac_ptp_ref_clock").split()
         self.write(sys_qsys=qsys([BASE[0], ("hps_0", "altera_hps", {
-            **BASE[1][2], **options, "CAN0_PinMuxing": "FPGA"})],
+            **BASE[1][2], **options, "CAN0_PinMuxing": "FPGA",
+            "EMAC0_PinMuxing": "FPGA"})],
             [*CLOCKS, ("clock", "clk_0.clk", "hps_0.h2f_debug_apb_clock"),
              ("clock", "clk_0.clk", "hps_0.h2f_cti_clock"),
              *(("reset", "clk_0.clk_reset", f"hps_0.f2h_{which}_reset_req")
                for which in ("cold", "warm", "debug"))],
             [(name, "hps_0." + name) for name in exported]),
             top_v="module top(input CLOCK_50, input [9:0] SW, output [9:0] LEDR);\n"
-                  "wire [31:0] gpo, trace; wire cold_n, ask_n, event_, can, select;\n"
-                  "assign LEDR = {can, cold_n, ask_n, event_, select, |trace, gpo[3:0]};\n"
+                  "wire [31:0] gpo, trace; wire cold_n, ask_n, event_, can, select, mdc, rx_n;\n"
+                  "wire [7:0] txd;\n"
+                  "assign LEDR = {can, cold_n, ask_n & rx_n, event_, select, |trace | |txd | mdc,\n"
+                  "    gpo[3:0]};\n"
                   "sys system(.clk_clk(CLOCK_50), .reset_reset_n(1'b1),\n"
                   "    .h2f_gp_gp_in({22'd0, SW}), .h2f_gp_gp_out(gpo),\n"
                   "    .h2f_mpu_events_eventi(1'b0), .h2f_mpu_events_evento(event_),\n"
@@ -265,6 +270,8 @@ assign LEDR = {can, &chips, &ce, |usb | stp, |eth | |sd_en, |trace, |address | s
                   "    .h2f_tpiu_data(trace), .h2f_cti_trig_in(8'd0),\n"
                   "    .f2h_boot_from_fpga_boot_from_fpga_ready(1'b0),\n"
                   "    .f2h_stm_hw_events_stm_hwevents(28'd0), .can0_rxd(1'b1), .can0_txd(can),\n"
+                  "    .emac0_phy_txd_o(txd), .emac0_md_clk_clk(mdc), .emac0_rx_clk_in_clk(1'b0),\n"
+                  "    .emac0_rx_reset_reset_n(rx_n), .emac0_gmii_mdi_i(1'b1),\n"
                   "    .h2f_cold_reset_reset_n(cold_n),\n"
                   "    .h2f_warm_reset_handshake_h2f_pending_rst_req_n(ask_n));\nendmodule\n",
             top_qsf="set_global_assignment -name DEVICE 5CSEMA5F31C6\n"

@@ -108,6 +108,31 @@ proc peripherals_in_fpga {} {
     }
 }
 
+# Those of Ethernet, which rest.
+proc ethernet_in_fpga {} {
+    set any false
+    foreach name {emac0 emac1} {
+        if {[value [string toupper $name]_PinMuxing] ne "FPGA"} continue
+        set any true
+        add_interface $name conduit end
+        foreach {role direction bits} {
+            phy_txd_o Output 8 phy_txen_o Output 1 phy_txer_o Output 1 phy_rxdv_i Input 1
+            phy_rxer_i Input 1 phy_rxd_i Input 8 phy_col_i Input 1 phy_crs_i Input 1
+            gmii_mdo_o Output 1 gmii_mdo_o_e Output 1 gmii_mdi_i Input 1 ptp_pps_o Output 1
+            ptp_aux_ts_trig_i Input 1
+        } { add_interface_port $name ${name}_$role $role $direction $bits }
+        foreach {clock end direction} {md_clk start Output gtx_clk start Output
+                                       rx_clk_in end Input tx_clk_in end Input} {
+            add_interface ${name}_$clock clock $end
+            add_interface_port ${name}_$clock ${name}_${clock}_clk clk $direction 1
+        }
+        foreach which {rx tx} { reset ${name}_${which}_reset Output }
+    }
+    if {!$any} return
+    add_interface emac_ptp_ref_clock clock end
+    add_interface_port emac_ptp_ref_clock emac_ptp_ref_clk clk Input 1
+}
+
 # Pins of the processor's that the FPGA has; LOANED is the primitive's.
 proc loan_io {} {
     if {[string first Yes [value LOANIO_Enable]] < 0} return
@@ -274,6 +299,7 @@ proc elaborate {} {
     hps_io
     loan_io
     peripherals_in_fpga
+    ethernet_in_fpga
     dma_requests
     reset h2f_reset Output
     if {[yes S2FCLK_COLDRST_Enable]} { reset h2f_cold_reset Output }

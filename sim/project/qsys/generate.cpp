@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -273,11 +272,17 @@ private:
                                            port.width, rests_high ? 1 : 0));
                 }
         });
-        for (const auto& [interface, role, level] :
-             {std::tuple{"h2f_tpiu_clock", "clk", 0},
-              std::tuple{"h2f_debug_apb_reset", "reset_n", 1}})
-            if (const auto e = assembly_.find_end(name + "." + interface))
-                text_.line(fmt::format("assign {} = 1'b{};", wire(interface, role, ""), level));
+        assembly_.for_each([&](const End& e) {
+            const std::string& what = e.interface->name;
+            const bool rests = what.substr(0, 4) == "emac" || what == "h2f_tpiu_clock" ||
+                               what == "h2f_debug_apb_reset";
+            if (!e.is_processors() || e.instance->name != name || !rests || !e.interface->is_start)
+                return;
+            if (const Port* clock = e.interface->port("clk"))
+                text_.line(fmt::format("assign {} = 1'b0;", wire_of(e, *clock)));
+            if (const Port* reset = e.interface->port("reset_n"))
+                text_.line(fmt::format("assign {} = 1'b1;", wire_of(e, *reset)));
+        });
     }
 
     // Pins of the processor's that the top has not.
