@@ -22,6 +22,8 @@ module de1sim_max10_adc #(
     output wire [2:0]  number,
     output wire [11:0] value
 );
+    localparam [5:0] LAST_SLOT = CHANNELS[5:0] - 6'd1;
+
     wire       clk_10, locked;
     // verilator lint_off UNUSED
     wire [4:0] channel;  // 1 to 6
@@ -42,7 +44,7 @@ module de1sim_max10_adc #(
         .clk(clocks), .locked(locked)
     );
     altera_modular_adc #(
-        .CLKDIV(2), .STORED(0), .LAST_SLOT(CHANNELS - 1),
+        .CLKDIV(2), .STORED(0), .LAST_SLOT(LAST_SLOT),
         .SLOTS({290'd0, 5'd6, 5'd5, 5'd4, 5'd3, 5'd2, 5'd1})
     ) converter (
         .clock_clk(clock), .reset_sink_reset_n(!reset), .adc_pll_clock_clk(clk_10),
