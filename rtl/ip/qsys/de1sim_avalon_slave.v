@@ -106,10 +106,13 @@ module de1sim_avalon_slave #(
             assign others = other_done;
         end else begin : later
             reg [LATENCY-1:0] line_q = 0, others_q = 0;
+            // The oldest bit is dropped.
+            // verilator lint_off WIDTH
             always @(posedge clk_i) begin
                 line_q   <= rst_i ? {LATENCY{1'b0}} : {line_q, read_done};
                 others_q <= rst_i ? {LATENCY{1'b0}} : {others_q, other_done};
             end
+            // verilator lint_on WIDTH
             assign data   = line_q[LATENCY-1];
             assign others = others_q[LATENCY-1];
         end
