@@ -66,7 +66,9 @@ private:
     // Command by command, so that each has its line.
     void read(std::string_view text, const fs::path& file) {
         const auto before = std::pair{file_, line_};
-        const std::string folder = fs::absolute(file).lexically_normal().parent_path().string();
+        // It ends with a "/": public files join it with a name as it is.
+        const std::string folder =
+            (fs::absolute(file).lexically_normal().parent_path() / "").string();
         const std::string qip_before = std::exchange(folder_, folder);
         tcl_.set("quartus", "qip_path", folder);
         tcl_.set("quartus", "project", file.stem().string());
@@ -230,8 +232,8 @@ private:
             else if (a.value.empty())
                 a.value = word;
         }
-        if (a.value.compare(0, folder_.size() + 1, folder_ + "/") == 0) {
-            a.value.erase(0, folder_.size() + 1);
+        if (a.value.compare(0, folder_.size(), folder_) == 0) {
+            a.value.erase(0, folder_.size());
             a.in_qip_folder = true;
         }
         a.to.erase(std::remove(a.to.begin(), a.to.end(), '\\'), a.to.end());  // KEY\[0\]

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "sim/verilog/assertions.h"
+#include "sim/verilog/block_variables.h"
 #include "sim/verilog/items.h"
 #include "sim/verilog/parameter_types.h"
 #include "sim/verilog/power_up.h"
@@ -74,6 +75,7 @@ public:
         enable_part_drivers(tokens_, modules, edits_);
         make_inouts(tokens_.all, modules, edits_);
         make_pulled_inputs_wires(tokens_.all, edits_);
+        begin_block_variables(tokens_.all, edits_);
         make_registers(tokens_, edits_);
         complete_lists(tokens_, edits_);
         fit_inouts(tokens_.all, inout_fits, edits_);

@@ -42,6 +42,21 @@ TEST(Normalise, ExecutesAsynchronousResetsAtPowerUp) {
         EXPECT_EQ(cleaned(none), none);
 }
 
+TEST(Normalise, BeginsVariablesOfABlockAtPowerUp) {
+    EXPECT_EQ(cleaned("always @(posedge c) begin reg [1:0] n = 2'd3, m; n <= m; end"),
+              "initial de1sim_block_6.n = 2'd3; always @(posedge c) begin : de1sim_block_6 reg "
+              "[1:0] n   , m; n <= m; end");
+    EXPECT_EQ(cleaned("always @(posedge c) begin : a if (x) begin : b static int k=K; end end"),
+              "initial a.b.k = K; always @(posedge c) begin : a if (x) begin : b static int k; "
+              "end end");
+    EXPECT_EQ(cleaned("always @(posedge c) begin : a logic n = f(1, 2)[0]; end"),
+              "initial a.n = f(1, 2)[0]; always @(posedge c) begin : a logic n   ; end");
+    for (const char* none :
+         {"always @* begin reg n = 0; end", "always @(posedge c) begin reg n; n = 1; end",
+          "always @(posedge c) begin reg n [0:1] = '{0, 1}; end"})
+        EXPECT_EQ(cleaned(none), none);
+}
+
 TEST(Normalise, LeavesOutConcurrentAssertions) {
     const auto result = normalise(
         "module m;\nproperty p;\n  @(posedge c) a |=> ##[0:K] b;\nendproperty : p\n"

@@ -69,10 +69,13 @@ TEST_F(Settings, OptionsMayStandAnywhere) {
 TEST_F(Settings, ValuesInAQipAreRelativeToIt) {
     const auto all = read(
         "set_global_assignment -library \"pll\" -name VERILOG_FILE "
-        "[file join $::quartus(qip_path) \"pll/pll_0002.v\"]\n");
-    ASSERT_EQ(all.size(), 1u);
+        "[file join $::quartus(qip_path) \"pll/pll_0002.v\"]\n"
+        "set_global_assignment -name QIP_FILE [join [list $::quartus(qip_path) pll .qip] {}]\n");
+    ASSERT_EQ(all.size(), 2u);
     EXPECT_EQ(all[0].value, "pll/pll_0002.v");
     EXPECT_TRUE(all[0].in_qip_folder);
+    EXPECT_EQ(all[1].value, "pll.qip");
+    EXPECT_TRUE(all[1].in_qip_folder);
 }
 
 TEST_F(Settings, AreTakenFromSourcedFiles) {
