@@ -11,7 +11,7 @@
 
 module cyclonev_hps_interface_loan_io #(
     // The device's primitive has none.
-    parameter [70:0] loaned = {71{1'b1}}, LOANED = loaned
+    parameter [70:0] loaned = -1, LOANED = loaned  // all
 ) (
     input  wire [70:0] loanio_out,
     input  wire [70:0] loanio_oe,

@@ -161,6 +161,7 @@ RunPlan plan_run(RunDescription description) {
     const ChipDescription& planned = plan.description.chip;
     if (!has_project && !planned.project.board.empty())
         plan.computer_of = computer_of(planned, processor);
+    if (!has_project && !plan.computer_of) plan.scenario.board.lacks = {"HPS LCD"};
     if (plan.computer_of)
         set_board(plan, *plan.computer_of);
     else

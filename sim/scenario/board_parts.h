@@ -9,8 +9,11 @@ namespace sim {
 struct BoardParts {
     std::string name;             // "DE10-Lite"; empty: not known, and all is taken to be there
     std::set<std::string> wires;  // of the simulated chip: "KEY[1]", "GPIO_0[3]"; "HPS"
+    std::set<std::string> lacks = {};  // what it has not, though its name is empty
 
-    bool has(const std::string& wire) const { return name.empty() || wires.count(wire) > 0; }
+    bool has(const std::string& wire) const {
+        return name.empty() ? !lacks.count(wire) : wires.count(wire) > 0;
+    }
 };
 
 }  // namespace sim

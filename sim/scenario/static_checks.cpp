@@ -150,8 +150,7 @@ void StaticChecks::need_display(const std::string& name) const {
     std::vector<std::string> names{"monitor"};
     for (const PartPlan& part : scenario_.parts)
         if (part.is_display) names.push_back(part.name);
-    if (scenario_.board.name.empty() || scenario_.board.has("HPS LCD"))
-        names.emplace_back("HPS LCD");
+    if (scenario_.board.has("HPS LCD")) names.emplace_back("HPS LCD");
     if (std::find(names.begin() + 1, names.end(), name) != names.end()) return;
     refuse_step("a display: " + list_of(names), in_quotes(name) + did_you_mean(name, names));
 }

@@ -74,7 +74,7 @@ module top(input CLOCK_50, output logic [9:0] LEDR);
     end
 endmodule
 """)
-        self.shows(20 | (1 + 16 & 15) << 6)
+        self.leds(20 | (1 + 16 & 15) << 6, wait="60ms")  # no lamp flickers any more
 
 
 if __name__ == "__main__":

@@ -38,6 +38,8 @@ TEST_F(De10LiteCommand, RefusesAStepForWhatTheBoardHasNot) {
             "  - press: {key: 2}\n");
     refuses("de10-lite", NIOS_V_SUMS_ELF, "got one for input 6 of the AD converter: it has 0 to 5",
             "  - set-voltage: {channel: 6, volts: 1}\n");
+    refuses("de1-soc", NIOS_V_SUMS_ELF, "expected a display: monitor, got \"HPS LCD\"",
+            "  - take-screenshot: {save-to: lcd.png, of: HPS LCD}\n");
 }
 
 TEST_F(De10LiteCommand, RefusesAProgramForTheArm) {

@@ -41,7 +41,7 @@ TEST(ScenarioOnABoard, IsRefusedWithWhatTheBoardHas) {
     EXPECT_EQ(refusal("expect-hps-led: lit"), begin + "the processor's LED, which it has not");
     EXPECT_EQ(refusal("press-key: a"), begin + "a PS/2 port, which it has not");
     EXPECT_EQ(refusal("set-voltage: {channel: 0, volts: 1}"),
-              begin + "the AD converter, which it has not");
+              begin + "input 0 of the AD converter, which it has not");
     EXPECT_EQ(refusal("expect-silence: {for: 1s}"), begin + "LINE OUT, which it has not");
     EXPECT_EQ(refusal("tilt-board: {right: 9}"), begin + "the motion sensor, which it has not");
     EXPECT_EQ(refusal("wait-serial: a"), "played");

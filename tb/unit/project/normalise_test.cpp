@@ -45,9 +45,9 @@ TEST(Normalise, ExecutesAsynchronousResetsAtPowerUp) {
 TEST(Normalise, BeginsVariablesOfABlockAtPowerUp) {
     EXPECT_EQ(cleaned("always @(posedge c) begin reg [1:0] n = 2'd3, m; n <= m; end"),
               "initial de1sim_block_6.n = 2'd3; always @(posedge c) begin : de1sim_block_6 reg "
-              "[1:0] n   , m; n <= m; end");
-    EXPECT_EQ(cleaned("always @(posedge c) begin : a if (x) begin : b static int k=K; end end"),
-              "initial a.b.k = K; always @(posedge c) begin : a if (x) begin : b static int k; "
+              "[1:0] n  , m; n <= m; end");
+    EXPECT_EQ(cleaned("always @(posedge c) begin : a if (x) begin : b reg k=K; end end"),
+              "initial a.b.k = K; always @(posedge c) begin : a if (x) begin : b reg k; "
               "end end");
     EXPECT_EQ(cleaned("always @(posedge c) begin : a logic n = f(1, 2)[0]; end"),
               "initial a.n = f(1, 2)[0]; always @(posedge c) begin : a logic n   ; end");

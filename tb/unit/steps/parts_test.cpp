@@ -119,7 +119,7 @@ TEST_F(PartSteps, SaveThePictureOfAnLt24) {
     EXPECT_EQ(board.saved[1].second.width, 640u);
     EXPECT_EQ(scenario.steps[0].text, "take screenshot a.png on lt24");
     EXPECT_EQ(step_error("take-screenshot: {save-to: a.png, of: lt24}"),
-              "a.yaml:4:3: expected a display: monitor, got \"lt24\"");
+              "a.yaml:4:3: expected a display: monitor or HPS LCD, got \"lt24\"");
     EXPECT_EQ(parts_error("- lt24: GPIO_0\n- led: {name: a, pin: \"GPIO_0[13]\"}"),
               "a.yaml:5:3: expected pins that are free, got GPIO_0[13], which lt24 of line 4 has");
 }
