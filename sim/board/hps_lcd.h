@@ -2,7 +2,9 @@
 //
 //   GPIO37 (bit 8) backlight, 1 = on    GPIO41 (bit 12) D/C, 1 = data    GPIO44 (bit 15) reset, 0
 //
-// Source: DE10-Standard User Manual, "LCD Module"; the bits by Terasic's demonstration hps_lcd.
+// Source: Terasic's demonstration hps_lcd for the DE10-Standard.
+//
+// Not handled: frames of other sizes than 8 bits, of which the lowest 8 bits are taken.
 #pragma once
 
 #include <cstdint>

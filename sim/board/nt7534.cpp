@@ -1,6 +1,5 @@
 #include "sim/board/nt7534.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace sim {
@@ -29,8 +28,8 @@ void Nt7534::write(std::uint8_t byte, bool is_data) {
         if (!std::exchange(takes_byte_, false)) command(byte);
         return;
     }
-    if (page_ < PAGES) memory_[page_][column_] = byte;
-    column_ = std::min(column_ + 1, COLUMNS - 1);
+    if (page_ < PAGES && column_ < COLUMNS) memory_[page_][column_] = byte;
+    if (column_ < COLUMNS - 1) ++column_;
 }
 
 void Nt7534::command(std::uint8_t byte) {
@@ -48,7 +47,6 @@ void Nt7534::command(std::uint8_t byte) {
         case 0xC: from_top_ = byte & 8; break;
         default: break;
     }
-    column_ = std::min(column_, COLUMNS - 1);
     switch (byte) {
         case 0x81:
         case 0xAD: takes_byte_ = true; break;

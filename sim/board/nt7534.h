@@ -15,7 +15,8 @@
 // as on the DE10-Standard, where Terasic's programs send C8 and leave A0: line 0 is at the top,
 // column 0 at the left.
 //
-// Source: NT7534 data sheet (Novatek), "Commands"; the mounting by Terasic's demonstrations.
+// Source: the table of commands in the data sheet of the NT7502 (Novatek), which has the same;
+// Terasic's demonstrations for the DE10-Standard, which name the NT7534, for the rest.
 //
 // Not handled: reading, contrast, bias, resistors, the oscillator and the static indicator, which
 // are taken and change nothing; page 8, the icons; memory that is random at power-on.

@@ -7,9 +7,9 @@
 //                        +- ArduinoPort, Max10Converter, AccelerometerPort
 //
 // The fabric is that of the DE1-SoC's computer, of which this one has a part; its registers are in
-// rtl/regmap/DE10_LITE.md.  As Platform Designer's interconnect does it, an
-// access that no block takes, and a write to a block that can only be read, goes to the slave with
-// the largest span: the SDRAM, of whose 64 MB it has the lower 26 bits.
+// rtl/regmap/DE10_LITE.md.  As Platform Designer's interconnect does it, an access that no block
+// takes, and a write to a block that can only be read, goes to the slave with the largest span:
+// the SDRAM, of whose 64 MB it has the lower 26 bits.
 //
 // Source: as rtl/regmap/de10_lite.def and de10_lite_devices.h; Platform Designer User Guide,
 // "Accessing Undefined Memory Regions".

@@ -1,4 +1,5 @@
-// parts_view.h - the parts that a scenario has hung on the headers, on the page of a live run
+// parts_view.h - the parts on the page of a live run: those that a scenario has hung on the
+// headers, and displays of the board
 //
 // What a part shows and how a person acts on it, the part itself says (board/header_part.h,
 // board/part_plan.h); neither this nor the page knows any kind of part but the terminal.

@@ -49,8 +49,8 @@ struct BoardDescription {
     bool has_processor = false;
     unsigned analog_inputs = 0;  // of a converter in the FPGA
     bool has_lcd = false;        // on pins of the processor
-    std::string
-        computer;  // that programs without a project run on: "DE1-SoC", "DE10-Lite"; or none
+    // That programs without a project run on: "DE1-SoC" or "DE10-Lite"; empty: none.
+    std::string computer;
     std::set<std::string> on_i2c;      // parts on FPGA_I2C: "WM8731", "ADV7180", "ADV7513"
     std::set<std::string> other_pins;  // of the FPGA, where the board has nothing; empty: not known
     std::vector<BoardSignal> signals;

@@ -9,7 +9,7 @@ namespace sim {
 struct BoardParts {
     std::string name;             // "DE10-Lite"; empty: not known, and all is taken to be there
     std::set<std::string> wires;  // of the simulated chip: "KEY[1]", "GPIO_0[3]"; "HPS"
-    std::set<std::string> lacks = {};  // what it has not, though its name is empty
+    std::set<std::string> lacks = {};  // of the DE1-SoC, which has no name here: what it has not
 
     bool has(const std::string& wire) const {
         return name.empty() ? !lacks.count(wire) : wires.count(wire) > 0;

@@ -40,6 +40,16 @@ TEST(Nt7534, ShowsAByteAsEightDotsWithBitZeroAtTheTop) {
     EXPECT_EQ(lcd.count(), 3u);
 }
 
+TEST(Nt7534, TakesAColumnsHalvesInAnyOrder) {
+    Lcd lcd;
+    lcd.command({0x18, 0x02});  // column 130
+    lcd.data({0, 0});
+    lcd.command({0x0F, 0x10});  // after the last column: 15, the lower half first
+    lcd.data({0x01});
+    EXPECT_TRUE(lcd.black(15, 0));
+    EXPECT_EQ(lcd.count(), 1u);
+}
+
 TEST(Nt7534, StopsAtItsLastColumn) {
     Lcd lcd;
     lcd.command({0xB0, 0x18, 0x02});  // column 130 of 0 to 131, not on the panel

@@ -1,4 +1,4 @@
-// parts.js - the parts that a scenario has hung on the headers: what each shows, and what is pressed.
+// parts.js - parts on the headers and displays: what each shows, and what is pressed.
 import {addButton, addSwitch} from "./controls.js";
 import {addTerminal} from "./terminals.js";
 
