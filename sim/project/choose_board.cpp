@@ -72,8 +72,8 @@ std::string other_device(const BoardDescription& board, const std::string& devic
 BoardDescription board_named(const Boards& boards, const std::string& name) {
     for (const BoardDescription& board : boards)
         if (plain(board.name) == plain(name)) return board;
-    throw ProjectError{fmt::format("--board {}: there is no such board: expected one of {}", name,
-                                   list_of(boards))};
+    throw ProjectError{
+        fmt::format("board {}: there is no such board: expected one of {}", name, list_of(boards))};
 }
 
 BoardChoice choose_board(const Boards& boards, const BoardRequest& request) {
@@ -96,7 +96,7 @@ BoardChoice choose_board(const Boards& boards, const BoardRequest& request) {
         if (among.size() != 1)
             throw ProjectError{
                 fmt::format("DEVICE is {}, which several boards have, and the pins do not tell "
-                            "which: choose by --board: {}",
+                            "which: choose by --board, or in the scenario by `board:`: {}",
                             request.device, list_of(among.empty() ? possible : among))};
         return {among.front(), false, {}};
     }

@@ -72,29 +72,38 @@ void refuse_other_chips_options(const ChipDescription& chip, bool has_project) {
             ": is for the DE1-SoC Computer, which is built in: expected no project"};
 }
 
-// The board whose computer the program runs on, by --board; nothing: the DE1-SoC.
+// The board whose computer the program runs on, by its name; nothing: the DE1-SoC.
 std::optional<project::BoardDescription> computer_of(const ChipDescription& chip,
                                                      RunPlan::Processor processor) {
     constexpr const char *PRESET = "DE1-SoC", *WITHOUT_ARM = "DE10-Lite";
     const auto boards = project::all_boards();
     const auto board = project::board_named(boards, chip.project.board);
     if (board.name == PRESET) return {};
-    const std::string option = "--board " + board.name + ": ";
+    const std::string named = "board " + board.name + ": ";
     if (board.computer.empty()) {
         std::vector<std::string> names;
         for (const auto& other : boards)
             if (!other.computer.empty()) names.push_back(other.name);
-        throw std::runtime_error{option + "no computer for it is built in: expected " +
+        throw std::runtime_error{named + "no computer for it is built in: expected " +
                                  list_of(names) + ", or --project with a design for it"};
     }
     if (board.computer != WITHOUT_ARM) return board;
     if (processor != RunPlan::Processor::NIOS_V)
-        throw std::runtime_error{option +
+        throw std::runtime_error{named +
                                  "its computer has Nios V: expected a program for RISC-V, "
                                  "riscv64-unknown-elf-gcc -march=rv32im -mabi=ilp32"};
     if (chip.audio_rate)
-        throw std::runtime_error{option + "it has no sound: expected no --audio-rate"};
+        throw std::runtime_error{named + "it has no sound: expected no --audio-rate"};
     return board;
+}
+
+// Looks whether there is the board that is named, and finds it for a run without a project.
+std::optional<project::BoardDescription> named_computer(const RunPlan& plan) {
+    const ChipDescription& chip = plan.description.chip;
+    if (chip.project.board.empty()) return {};
+    if (!plan.has_project()) return computer_of(chip, plan.processor);
+    project::board_named(project::all_boards(), chip.project.board);
+    return {};
 }
 
 }  // namespace
@@ -133,6 +142,8 @@ RunPlan plan_run(RunDescription description) {
     if (chip.project.place.empty() && program.cpu != "native")
         chip.project.place = scenario.project;
     const bool has_project = !chip.project.place.empty();
+    const bool names_its_board = chip.project.board.empty() && !scenario.board_name.empty();
+    if (names_its_board) chip.project.board = scenario.board_name;
     refuse_other_chips_options(chip, has_project);
     if (program.elf.empty() && program.cpu != "native" &&
         (has_project || program.cpu == "arm" || scenario.cpu != "native"))
@@ -158,9 +169,13 @@ RunPlan plan_run(RunDescription description) {
         if (const std::string missing = missing_for(plan, *step.step); !missing.empty())
             throw ScenarioError{plan.scenario.file, step.line, step.column, missing};
     plan.scenario.on_linux = plan.on_linux;
-    const ChipDescription& planned = plan.description.chip;
-    if (!has_project && !planned.project.board.empty())
-        plan.computer_of = computer_of(planned, processor);
+    try {
+        plan.computer_of = named_computer(plan);
+    } catch (const std::runtime_error& error) {
+        if (!names_its_board) throw;
+        throw ScenarioError{plan.scenario.file, plan.scenario.board_line,
+                            plan.scenario.board_column, error.what()};
+    }
     if (!has_project && !plan.computer_of) plan.scenario.board.lacks = {"HPS LCD"};
     if (plan.computer_of)
         set_board(plan, *plan.computer_of);

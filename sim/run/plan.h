@@ -15,10 +15,11 @@ namespace sim {
 struct RunPlan {
     enum class Processor { NONE, NATIVE, ARM, NIOS_V };
 
-    RunDescription description;  // with the project and the program that the scenario names
-    Scenario scenario;           // empty: the program alone
+    RunDescription
+        description;    // with the project, the program and the board that the scenario names
+    Scenario scenario;  // empty: the program alone
     Processor processor = Processor::NATIVE;
-    // Whose computer is in the chip, by --board; none: the DE1-SoC's, or a project.
+    // Whose computer is in the chip, by its name; none: the DE1-SoC's, or a project.
     std::optional<project::BoardDescription> computer_of;
     bool on_linux = false;  // the ARM's program
     std::uint64_t seed = 1;

@@ -204,6 +204,11 @@ Scenario read_scenario(std::string_view text, const Path& file) {
     for (std::size_t i = 0; i < root.keys.size(); ++i) {
         if (root.keys[i].text == "steps")
             scenario.steps = read_list(folder, root.items[i], "step", read_step);
+        if (root.keys[i].text == "board") {
+            scenario.board_name = values.get<std::string>("board");
+            scenario.board_line = root.items[i].line;
+            scenario.board_column = root.items[i].column;
+        }
         if (root.keys[i].text == "parts")
             scenario.parts = read_list(folder, root.items[i], "part", read_part);
     }

@@ -37,6 +37,8 @@ struct Scenario {
     std::optional<SimTime> duration;
     // Relative to the working directory, or absolute; or empty.
     std::filesystem::path program, project;
+    std::string board_name;  // as --board, or empty
+    int board_line = 0, board_column = 0;
     std::string cpu;                     // "native", "arm", or empty
     std::optional<bool> memory_bridged;  // as --fpga-memory says
     std::optional<unsigned> audio_rate;  // samples per second

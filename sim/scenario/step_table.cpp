@@ -86,6 +86,9 @@ const std::vector<Field>& file_fields() {
         {"project", PATH, Need::OPTIONAL, "",
          "A Quartus project (.qsf, .qpf) or a folder of Verilog, relative to the scenario file, as "
          "--project; `program` runs on its processor, if it has one."},
+        {"board", LINE, Need::OPTIONAL, "",
+         "The board that the project is for or whose computer runs the program, as --board, unless "
+         "that is given: DE1-SoC, DE10-Lite, DE10-Nano, DE10-Standard, or one of your own."},
         {"cpu", CPU, Need::OPTIONAL, "",
          "As --cpu, unless that is given: the firmware compiled for this machine, or the "
          "processor's model. Without it arm where there is a program."},

@@ -67,6 +67,7 @@ def test_a_terminal_of_the_parts_is_read_and_typed_at(tmp_path):
     ({"elf": "nowhere.elf"}, "nowhere.elf: no such file"),
     ({"elf": __file__}, "is not a program (ELF file)"),
     ({"options": ["--cpi", "0"]}, "--cpi"),
+    ({"board": "DE9"}, "board DE9: there is no such board"),
     ({"de1sim": "/nowhere/de1sim"}, "cannot start /nowhere/de1sim: No such file"),
 ])
 def test_a_board_that_cannot_begin_is_refused(what, words):
@@ -101,6 +102,14 @@ def test_a_scenario_plays_first_on_a_program(start_board, programs, tmp_path):
                                      "  - delay: 250ms\n")
     board = start_board(scenario=tmp_path / "s.yaml", elf=programs / "terminals.elf")
     assert board.terminals["jtag-1"] == "+b"
+
+
+def test_another_board_refuses_steps_for_what_it_has_not(start_board, programs, tmp_path):
+    (tmp_path / "s.yaml").write_text("name: s\nversion: 1\nboard: DE10-Lite\nduration: 1ms\n")
+    for named in {"board": "de10-lite"}, {"scenario": tmp_path / "s.yaml"}:
+        board = start_board(elf=programs / "nios_v_sums.elf", **named)
+        with pytest.raises(de1sim.Refused, match="a step for what the DE10-Lite has"):
+            board.hold(key=2)
 
 
 def test_the_sound_of_a_long_step_is_whole(board):

@@ -177,6 +177,14 @@ class Suite(Folder):
         self.assertIn("square <- add_squares", (
             self.folder / "test-results/runs/s/bad/failure/waves.calls.txt").read_text())
 
+    def test_the_board_is_the_scenarios(self):
+        for board in ("DE10-Lite", "DE1-SoC"):
+            self.scenario(f"s/{board}", "press: {key: 2}",
+                          head=f"program: {PROGRAMS}/nios_v_sums.elf\nboard: {board}")
+        done = self.suite("s", code=2)
+        self.assertEqual(self.codes(), {"s/DE10-Lite": 2, "s/DE1-SoC": 0})
+        self.assertIn("expected a step for what the DE10-Lite has", done.stderr)
+
     def test_a_failure_is_traced(self):
         self.scenario("s/bad", "delay: 1ms", 'expect-leds: "1111111111"', head="")
         done = self.suite("s", "--trace-failure", "100us", code=1)

@@ -47,6 +47,7 @@ TEST(Continued, ReadsLikeEachScenarioOfTheRepository) {
             folder.put("again.yaml", continued(*before, 99, folder.path(), {}));
             const Scenario after = load_scenario(folder / "again.yaml");
             EXPECT_EQ(after.name, before->name);
+            EXPECT_EQ(after.board_name, before->board_name);
             EXPECT_EQ(after.seed, 99u);
             EXPECT_EQ(says(after), says(*before));
             EXPECT_EQ(parts_of(after), parts_of(*before));

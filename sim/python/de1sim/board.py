@@ -17,11 +17,13 @@ LONGEST_MS = 10_000  # that a message "run" may ask for
 class Board(Hands, Senses):
     """With the demo, or a program `elf`, or a Quartus `project`; `scenario` plays first.
 
+    `board` is another than the DE1-SoC: "de10-lite".
     `options` are those of `de1sim run`.  What a run writes is in `out`, and gone with the board
     where that is not given.  To be closed, or used in `with`.
     """
 
-    def __init__(self, elf=None, project=None, scenario=None, options=(), out=None, de1sim=None):
+    def __init__(self, elf=None, project=None, scenario=None, options=(), out=None, de1sim=None,
+                 board=None):
         super().__init__()
         for file in elf, project, scenario:
             if file is not None and not os.path.exists(file):
@@ -29,7 +31,8 @@ class Board(Hands, Senses):
         own = tempfile.mkdtemp(prefix="de1sim-") if out is None else None
         self.out = pathlib.Path(own or out)
         words = [] if scenario is None else [os.fspath(scenario)]
-        for option, value in ("--elf", elf), ("--project", project), ("--out", self.out):
+        for option, value in (("--elf", elf), ("--project", project), ("--board", board),
+                              ("--out", self.out)):
             words += [] if value is None else [option, os.fspath(value)]
         self._connection = None
         try:

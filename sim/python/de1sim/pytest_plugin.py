@@ -18,8 +18,9 @@ BOARDS = pytest.StashKey()
 
 
 def pytest_configure(config):
-    config.addinivalue_line("markers", "board(elf=..., project=..., scenario=..., options=[...]): "
-                            "what runs on the fixture `board`; files as seen from the test's")
+    config.addinivalue_line("markers", "board(elf=..., project=..., scenario=..., board=..., "
+                            "options=[...]): what runs on the fixture `board`; files as seen from "
+                            "the test's")
 
 
 def pytest_addoption(parser):

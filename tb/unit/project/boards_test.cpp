@@ -96,7 +96,7 @@ TEST(Boards, ThatAreNotThereAreRefusedWithTheList) {
         FAIL();
     } catch (const ProjectError& error) {
         EXPECT_STREQ(error.what(),
-                     "--board DE9: there is no such board: expected one of DE1-SoC (5CSEMA5F31C6), "
+                     "board DE9: there is no such board: expected one of DE1-SoC (5CSEMA5F31C6), "
                      "DE10-Lite (10M50DAF484), DE10-Nano (5CSEBA6U23), DE10-Standard "
                      "(5CSXFC6D6F31)");
     }
