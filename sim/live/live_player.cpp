@@ -67,7 +67,9 @@ void LivePlayer::run() {
     if (const BoardParts& board = scenario_.board; !board.name.empty())
         wire_.send(
             Kind::TEXT,
-            nlohmann::json{{"board", {{"name", board.name}, {"wires", board.wires}}}}.dump());
+            nlohmann::json{
+                {"board", {{"name", board.name}, {"wires", board.wires}, {"names", board.names}}}}
+                .dump());
     set_pace(1, false);
     wait(between_clocks);
     handle_messages();  // that time stands from the beginning

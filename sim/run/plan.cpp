@@ -124,8 +124,12 @@ void set_board(RunPlan& plan, const project::BoardDescription& board) {
                                  " has not: expected no such option"};
     BoardParts& parts = plan.scenario.board;
     parts.name = board.name;
-    for (const project::BoardSignal& signal : board.signals)
+    for (const project::BoardSignal& signal : board.signals) {
         parts.wires.insert(signal.wires.begin(), signal.wires.end());
+        const std::string& first = signal.wires.front();
+        const std::string bus = first.substr(0, first.find('['));
+        if (!bus.empty() && bus != signal.name) parts.names.emplace(bus, signal.name);
+    }
     // The processor's I2C has the sensor where the FPGA has it not.
     if (board.has_processor) parts.wires.insert({"HPS", "MOTION"});
     if (board.has_lcd) parts.wires.insert("HPS LCD");

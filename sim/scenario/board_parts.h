@@ -1,6 +1,7 @@
 // board_parts.h - what a board has of all that a scenario can act on and look at.
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 
@@ -9,6 +10,8 @@ namespace sim {
 struct BoardParts {
     std::string name;             // "DE10-Lite"; empty: not known, and all is taken to be there
     std::set<std::string> wires;  // of the simulated chip: "KEY[1]", "GPIO_0[3]"; "HPS"
+    // As the board's schematic calls wires with another name: "GPIO_1" is "ARDUINO_IO".
+    std::map<std::string, std::string> names = {};
     std::set<std::string> lacks = {};  // of the DE1-SoC, which has no name here: what it has not
 
     bool has(const std::string& wire) const {

@@ -1,28 +1,12 @@
-"""browser_test.py DE1SIM FOLDER - `de1sim live` as a person has it: its page in Chromium.
-
-Exit code 77: Chromium is not installed.
-"""
-import base64
+"""browser_test.py DE1SIM FOLDER PROGRAMS - `de1sim live` as a person has it: in Chromium."""
 import json
-import pathlib
-import re
-import shutil
 import subprocess
-import sys
-import unittest
 
 from selenium import webdriver
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from selenium.webdriver.support.wait import WebDriverWait
 
-from board import Board
-
-if not (shutil.which("chromedriver") and shutil.which("chromium")):
-    print("Chromium or its driver is not installed")
-    sys.exit(77)
-
-DE1SIM, FOLDER, PROGRAMS = sys.argv[1], *map(pathlib.Path, sys.argv[2:4])
+from chromium import DE1SIM, FOLDER, PROGRAMS, Chromium, run
 
 COLOURED = """
 const c = document.getElementById("monitor");
@@ -33,46 +17,9 @@ return n;
 """
 
 
-class Page(unittest.TestCase):
+class Page(Chromium):
     def setUp(self):
-        self.folder = FOLDER / self.id().split(".")[-1]
-        self.board = Board(DE1SIM, self.folder)
-        self.addCleanup(self.board.__exit__)
-        options = webdriver.ChromeOptions()
-        for word in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-                     "--disable-background-networking", "--disable-component-update",
-                     "--remote-debugging-pipe", "--no-first-run", "--window-size=1400,1000",
-                     "--autoplay-policy=no-user-gesture-required",
-                     f"--user-data-dir={self.folder / 'profile'}"):
-            options.add_argument(word)
-        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-        self.page = webdriver.Remote(self.driver(), options=options)
-        self.addCleanup(self.page.quit)
-        self.page.get(self.board.url)
-        self.until(lambda: int(self.find("#monitor").get_attribute("data-shown") or 0) > 0)
-
-    def driver(self):
-        """Starts ChromeDriver; by its address, since a bare system does not know "localhost"."""
-        driver = subprocess.Popen(["chromedriver", "--port=0"], stdout=subprocess.PIPE, text=True)
-        self.addCleanup(driver.stdout.close)
-        self.addCleanup(driver.wait)
-        self.addCleanup(driver.terminate)
-        for line in driver.stdout:
-            if found := re.search(r"started successfully on port (\d+)", line):
-                return f"http://127.0.0.1:{found.group(1)}"
-        raise RuntimeError("chromedriver does not start")
-
-    def tearDown(self):
-        wrong = [entry["message"] for entry in self.page.get_log("browser")
-                 if entry["level"] == "SEVERE"]
-        self.assertEqual(wrong, [])
-
-    def find(self, selector):
-        return self.page.find_element(By.CSS_SELECTOR, selector)
-
-    def until(self, met):
-        """Waits long, since a browser on a busy machine takes seconds for what it does at once."""
-        WebDriverWait(self.page, 120, 0.05).until(lambda _: met())
+        self.open()
 
     def frames(self):
         return int(self.find("#status").text.split(" frames")[0].split()[-1])
@@ -102,6 +49,7 @@ class Page(unittest.TestCase):
         before = self.frames()
         self.find("#frame").click()
         self.until(lambda: self.frames() == before + 1)
+        self.page.save_screenshot(str(FOLDER / "page.png"))
         self.find("#mark").click()
         self.until(lambda: "marked" in self.find("#message").text)
         figures = dict(self.page.execute_script(
@@ -113,18 +61,9 @@ class Page(unittest.TestCase):
         self.assertNotIn("Program", figures)  # the demo is not an ARM's
         self.find("#save").click()
         self.until(lambda: "saved" in self.find("#message").text)
-        self.page.save_screenshot(str(FOLDER / "page.png"))
         again = subprocess.run([DE1SIM, "run", self.board.out / "live.yaml", "--quiet",
                                 "--out", self.folder / "again"], capture_output=True, text=True)
         self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
-
-    def drop(self, content):
-        self.page.execute_script("""
-            const bytes = Uint8Array.from(atob(arguments[0]), (c) => c.charCodeAt(0));
-            const dropped = new DataTransfer();
-            dropped.items.add(new File([bytes], "dropped"));
-            document.dispatchEvent(new DragEvent("drop", {dataTransfer: dropped}));""",
-                                 base64.b64encode(content).decode())
 
     def drop_program(self, program):
         self.drop(program.read_bytes())
@@ -228,12 +167,6 @@ steps:
         self.until(lambda: self.moved_in_what_is_saved() >= 70)  # the browser sends when it draws
         self.assertIn('{"hold-mouse":"left"}', self.saved())
 
-    def saved(self):
-        self.page.execute_script("document.getElementById('message').textContent = ''")
-        self.find("#save").send_keys(Keys.ENTER)
-        self.until(lambda: "saved" in self.find("#message").text)
-        return (self.board.out / "live.yaml").read_text()
-
     def moved_in_what_is_saved(self):
         moves = [json.loads(line[4:])["move-mouse"] for line in self.saved().splitlines()
                  if line.startswith('  - {"move-mouse"')]
@@ -241,4 +174,4 @@ steps:
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1] + sys.argv[4:])
+    run()

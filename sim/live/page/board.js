@@ -83,8 +83,10 @@ for (let digit = 5; digit >= 0; --digit) {
     const polygons = SEGMENTS.map((points) => `<polygon points="${points}"/>`).join("");
     $("hex").insertAdjacentHTML("beforeend", `<svg viewBox="0 0 36 61" data-digit="${digit}" data-wire="HEX${digit}[0]">${polygons}<circle hidden data-wire="HEX${digit}[7]" cx="34" cy="57" r="2"/></svg>`);
 }
-for (let n = 9; n >= 0; --n)
+for (let n = 9; n >= 0; --n) {
     $("ledr").insertAdjacentHTML("beforeend", `<div class="lamp" id="ledr${n}" data-wire="LEDR[${n}]" title="LEDR${n}"></div>`);
+    $(`ledr${n}`).style.gridColumn = 10 - n;  // above its switch
+}
 
 function lamps({ledr, hex, hex_text, gpio}) {
     for (const svg of $("hex").children) {
@@ -93,15 +95,16 @@ function lamps({ledr, hex, hex_text, gpio}) {
     }
     $("hex").setAttribute("aria-label", `HEX5 to HEX0: ${hex_text}`);
     for (let n = 0; n < 10; ++n) $(`ledr${n}`).classList.toggle("lit", ledr >> n & 1);
-    $("ledr").setAttribute("aria-label", `LEDR9 to LEDR0: ${ledr.toString(2).padStart(10, "0")}`);
+    const leds = $("ledr").querySelectorAll(".lamp:not([hidden])");
+    $("ledr").setAttribute("aria-label", `${leds[0].title} to ${leds[leds.length - 1].title}: ${ledr.toString(2).padStart(leds.length, "0")}`);
     gpio.forEach((header, which) => headerPins(which, BigInt(header.levels), BigInt(header.outputs)));
 }
 
 for (let which = 0; which < 2; ++which) {
     let rows = "";
     for (let pin = 0; pin < 36; ++pin)
-        rows += `${pin % 6 ? "" : "<tr>"}<td>${pin}<span class="lamp" id="gpio${which}_${pin}"></span></td>`;
-    $("headers").insertAdjacentHTML("beforeend", `<div data-wire="GPIO_${which}[0]"><p>GPIO_${which} (outputs bold)</p><table>${rows}</table></div>`);
+        rows += `${pin % 6 ? "" : "<tr>"}<td data-wire="GPIO_${which}[${pin}]">${pin}<span class="lamp" id="gpio${which}_${pin}"></span></td>`;
+    $("headers").insertAdjacentHTML("beforeend", `<div data-wire="GPIO_${which}[0]"><p><span id="header${which}">GPIO_${which}</span> (outputs bold)</p><table>${rows}</table></div>`);
 }
 function headerPins(which, levels, outputs) {
     for (let pin = 0n; pin < 36n; ++pin) {
@@ -119,16 +122,35 @@ for (const key of "123A456B789C0FED")
 for (let key = 3; key >= 0; --key)
     addButton($("keys"), `KEY${key}`, `KEY${key}`, held("key", key)).dataset.wire = `KEY[${key}]`;
 addButton($("keys"), "HPS_KEY", "HPS_KEY", held("key", "hps")).dataset.wire = "HPS";
-for (let n = 9; n >= 0; --n)
-    addSwitch($("switches"), `SW${n}`, held("switch", n)).dataset.wire = `SW[${n}]`;
+for (let n = 9; n >= 0; --n) {
+    const button = addSwitch($("switches"), `SW${n}`, held("switch", n));
+    button.dataset.wire = `SW[${n}]`;
+    button.style.gridColumn = 10 - n;
+}
 for (let channel = 0; channel < 8; ++channel) {
     $("voltages").insertAdjacentHTML("beforeend",
-        `<p><label>CH${channel} <input type="range" min="0" max="4.095" step="0.005" value="0" data-channel="${channel}"></label> <output></output></p>`);
+        `<p data-wire="ADC_DOUT ANALOG[${channel}]"><label><span>CH${channel}</span> <input type="range" min="0" max="4.095" step="0.005" value="0" data-channel="${channel}"></label> <output></output></p>`);
 }
 $("voltages").oninput = ({target}) => {
     target.closest("p").querySelector("output").textContent = `${target.value} V`;
     step("set-voltage", {channel: Number(target.dataset.channel), volts: Number(target.value)});
 };
+
+for (const [way, text] of [["right", "to the right"], ["towards", "towards you"]])
+    $("tilt").insertAdjacentHTML("beforeend",
+        `<p><label>Tilted ${text} <input type="range" min="-90" max="90" value="0" data-way="${way}"></label> <output></output></p>`);
+$("tilt").oninput = () => {
+    const tilt = {};
+    for (const range of $("tilt").querySelectorAll("input")) {
+        tilt[range.dataset.way] = Number(range.value);
+        range.closest("p").querySelector("output").textContent = `${range.value} degrees`;
+    }
+    step("tilt-board", tilt);
+};
+function levelRanges() {
+    document.querySelectorAll("#voltages input, #tilt input").forEach((range) => { range.value = 0; });
+    document.querySelectorAll("#voltages output, #tilt output").forEach((text) => { text.textContent = ""; });
+}
 
 // ---- PS/2 keyboard and mouse, while the monitor has the focus ----
 
@@ -146,7 +168,9 @@ function keyName(code) {
     return SAME.test(code) ? code : null;
 }
 const down = new Set();
+const hasPs2 = () => !$("focus").hidden;
 canvas.onkeydown = (event) => {
+    if (!hasPs2()) return;
     if (event.ctrlKey && event.code === "Escape") { canvas.blur(); return; }
     const key = keyName(event.code);
     if (!key) return;
@@ -156,7 +180,7 @@ canvas.onkeydown = (event) => {
     step("hold-key", key);
 };
 const keyUp = (key) => { if (down.delete(key)) step("release-key", key); };
-canvas.onkeyup = (event) => { keyUp(keyName(event.code)); event.preventDefault(); };
+canvas.onkeyup = (event) => { if (!hasPs2()) return; keyUp(keyName(event.code)); event.preventDefault(); };
 canvas.onblur = () => { [...down].forEach(keyUp); $("focus").textContent = "click the picture to type on the PS/2 keyboard"; };
 canvas.onfocus = () => { $("focus").textContent = "keys go to the board; Ctrl+Esc ends that"; };
 
@@ -223,6 +247,8 @@ function power() {
     down.clear();
     pushed.clear();
     clearInside();
+    levelRanges();
+    de1Soc();
     say("power on");
 }
 function saved({file, text}) {
@@ -248,14 +274,42 @@ window.runFile = runFile;
 
 // ---- What arrives ----
 
-// Of a project's board.  What it has not is not shown.
-function board({name, wires}) {
-    const has = (wire) => wires.includes(wire);
+function nameBoard(name, names) {
     document.title = name;
     $("name").textContent = name;
+    for (let n = 0; n < 10; ++n) $(`ledr${n}`).title = `${names.LEDR || "LEDR"}${n}`;
+    for (const which of [0, 1]) {
+        const bus = `GPIO_${which}`;
+        $(`header${which}`).textContent = names[bus] ? `${names[bus]}, in steps ${bus}` : bus;
+    }
+}
+
+// Until a message says which board it is; what has no message is this one.
+const OF_DE1_SOC = [...document.querySelectorAll("[data-wire]")].filter((part) => !part.hasAttribute("hidden"));
+function de1Soc() {
     document.querySelectorAll("[data-wire]").forEach((part) => {
-        part.toggleAttribute("hidden", !has(part.dataset.wire));
+        part.toggleAttribute("hidden", !OF_DE1_SOC.includes(part));
     });
+    nameBoard("DE1-SoC", {});
+    nameInputs(false);
+}
+
+// Of the AD converter; those in a MAX 10 are measured up to 5 V.
+function nameInputs(inFpga) {
+    document.querySelectorAll("#voltages input").forEach((range) => {
+        range.max = inFpga ? 5 : 4.095;
+        range.previousElementSibling.textContent = `${inFpga ? "Arduino_A" : "CH"}${range.dataset.channel}`;
+    });
+}
+
+// What the board has not is not shown.
+function board({name, wires, names}) {
+    document.querySelectorAll("[data-wire]").forEach((part) => {
+        const has = part.dataset.wire.split(" ").some((wire) => wires.includes(wire));
+        part.toggleAttribute("hidden", !has);
+    });
+    nameBoard(name, names);
+    nameInputs(wires.includes("ANALOG[0]"));
 }
 
 const HANDLERS = {
@@ -263,9 +317,9 @@ const HANDLERS = {
     board, lamps, status, inside, saved, power,
     parts: (all) => parts(all, (step) => send({step})),
     terminals: printed,
-    log: (line) => { say(line, true); event(line); },
-    fault: (line) => { say(line, true); event(line); },
-    violation: (line) => { say(line, true); event(line); },
+    log: (line) => { say(line); event(line); },
+    fault: (line) => { say(line, true); event(line, "wrong"); },
+    violation: (line) => { say(line, true); event(line, "wrong"); },
     error: (line) => say(line, true),
     waves: (file) => say(`waveforms: ${file}`),
     marked: (file) => say(`marked: ${file}`),

@@ -48,7 +48,7 @@ export function inside(now) {
         row("Bus per frame", `${reads} reads, ${writes} writes, ${bursts} bursts`);
         row("Refused accesses", `${errors}`);
     }
-    if (now.audio) {
+    if (now.audio && !$("volume").closest("label").hidden) {
         const {to_play: out, recorded, size, underruns} = now.audio;
         row("Samples to play", `${out[0]}, ${out[1]} of ${size}`, [Math.min(...out), size]);
         row("Samples recorded", `${recorded[0]}, ${recorded[1]} of ${size}`, [Math.max(...recorded), size]);
@@ -57,9 +57,10 @@ export function inside(now) {
     row("Violations", `VGA ${now.vga_violations}, SDRAM ${now.sdram_violations}, codec ${now.codec_errors}`);
 }
 
-// An abort, a reset, a fault, a violation.
-export function event(line) {
+// An abort, a reset; "wrong": a fault, a violation.
+export function event(line, kind = "") {
     const item = document.createElement("li");
+    item.className = kind;
     item.textContent = line;
     $("events").append(item);
     while ($("events").children.length > 100) $("events").firstChild.remove();

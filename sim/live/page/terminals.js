@@ -32,6 +32,7 @@ export function addTerminal(line, title) {
 export function makeTerminals(type) {
     send = type;
     for (const [line, title] of Object.entries(LINES)) addTerminal(line, title);
+    $("printed-serial").closest("section").dataset.wire = "HPS";
 }
 
 export function printed(texts) {
