@@ -42,7 +42,7 @@ public:
 private:
     std::uint64_t changes() const override { return fpga.changes(); }
     bool is_plain(std::uint32_t address, bool write, std::uint32_t value) const override {
-        return !bus.is_watched() &&
+        return !bus.is_watched() && !bus.is_diverted(address) &&
                (write ? is_plain_output(address, value) : is_plain_input(address, value));
     }
     std::optional<RunningCount> running(std::uint32_t address,

@@ -11,18 +11,22 @@ namespace sim {
 
 namespace {
 
+bool is_jp2(std::uint32_t address) { return address - regmap::JP2_BASE < regmap::JP2_SIZE; }
+
 // The registers of the register map, by address.
-std::map<std::uint32_t, std::string> fpga_registers() {
+std::map<std::uint32_t, std::string> fpga_registers(bool has_jp2) {
     std::map<std::uint32_t, std::string> names;
-    for (const regmap::Reg& reg : regmap::REGS) names.emplace(reg.addr, reg.name);
+    for (const regmap::Reg& reg : regmap::REGS)
+        if (has_jp2 || !is_jp2(reg.addr)) names.emplace(reg.addr, reg.name);
     return names;
 }
 
 // Its blocks and memories from `base` on, within `size` bytes, as the processor sees them `below`.
-std::vector<Bus::Place> fpga_places(std::uint32_t base, std::uint32_t size, std::uint32_t below) {
+std::vector<Bus::Place> fpga_places(std::uint32_t base, std::uint32_t size, std::uint32_t below,
+                                    bool has_jp2 = true) {
     std::vector<Bus::Place> places;
     for (const regmap::Block& block : regmap::BLOCKS) {
-        if (block.base - base >= size) continue;
+        if (block.base - base >= size || (!has_jp2 && is_jp2(block.base))) continue;
         const bool registers =
             std::any_of(std::begin(regmap::REGS), std::end(regmap::REGS),
                         [&](const regmap::Reg& reg) { return reg.addr - block.base < block.size; });
@@ -80,25 +84,31 @@ bool is_plain_input(std::uint32_t address, std::uint32_t value) {
 
 ComputerFabric::ComputerFabric(PinListener& pins, ChipObserver& observer, std::uint8_t* sdram,
                                const Settings& settings, std::uint32_t memory_base)
-    : lost_accesses_{memory_base},
+    : lost_accesses_{memory_base, settings.has_jp2},
       fpga{"fpga", pins, settings.trace, settings.memory, sdram, settings.audio_rate},
       jtag_host{"jtag_host", fpga,
                 [&observer](unsigned number, char character) {
                     observer.console(character, number ? SerialLine::JTAG_1 : SerialLine::JTAG_0);
                 }},
-      memory_base_{memory_base} {
+      memory_base_{memory_base},
+      has_jp2_{settings.has_jp2} {
     fpga.spread_phases(settings.seed);
 }
 
 void ComputerFabric::describe(const char* memories, const char* registers, Bus& bus,
                               const Processor& cpu, ChipObserver& observer,
                               const std::vector<Bus::Place>& others) {
-    bus.name_registers(fpga_registers());
+    bus.name_registers(fpga_registers(has_jp2_));
     bus.describe(memories, "the full bridge",
                  fpga_places(H2F_BASE, H2F_SIZE, regmap::SDRAM_BASE - memory_base_));
-    std::vector<Bus::Place> places = fpga_places(LW_BASE, LW_SIZE, 0);
+    std::vector<Bus::Place> places = fpga_places(LW_BASE, LW_SIZE, 0, has_jp2_);
     places.insert(places.end(), others.begin(), others.end());
     bus.describe(registers, "the lightweight bridge", std::move(places));
+    if (!has_jp2_) {  // the default slave of the interconnect answers
+        constexpr const regmap::Block& OTHER = regmap::lw_default();
+        constexpr std::uint32_t TO = OTHER.base + regmap::JP2_BASE % OTHER.size;
+        bus.divert(registers, {regmap::JP2_BASE, regmap::JP2_SIZE, regmap::LW_DECODED, TO});
+    }
     const auto is_other = [others](std::uint32_t address) {
         return std::any_of(others.begin(), others.end(), [address](const Bus::Place& place) {
             return address - place.base < place.size;

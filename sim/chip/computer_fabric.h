@@ -30,6 +30,7 @@ public:
         Fpga::Memory memory = Fpga::Memory::BRIDGED;
         unsigned audio_rate = 8'000;  // samples per second: or 48,000
         bool shortcuts = true;        // ArmCpu::leave_no_rounds_out()
+        bool has_jp2 = true;          // the parallel port JP2, which the DE10-Standard's has not
     };
 
     // `memory_base`: where the processor sees the SDRAM, and the other memories behind it.
@@ -64,6 +65,7 @@ public:
 
 private:
     const std::uint32_t memory_base_;
+    const bool has_jp2_;
 };
 
 }  // namespace sim

@@ -44,7 +44,7 @@ std::uint32_t gap_begin(std::uint32_t address) {
 
 }  // namespace
 
-LostAccesses::LostAccesses(std::uint32_t memory_base)
+LostAccesses::LostAccesses(std::uint32_t memory_base, bool has_jp2)
     : memory_base_{memory_base}, words_(regmap::LW_DECODED / 4, NOBODY) {
     for (const regmap::Block& block : regmap::BLOCKS)
         if (regmap::on_lightweight_bridge(block))
@@ -55,6 +55,9 @@ LostAccesses::LostAccesses(std::uint32_t memory_base)
         Word& word = words_[(reg.addr - regmap::LW_BASE) / 4];
         if (word == NOTHING) word = reg.access == regmap::Access::RO ? READ_ONLY : READ_WRITE;
     }
+    if (!has_jp2)
+        std::fill_n(words_.begin() + (regmap::JP2_BASE - regmap::LW_BASE) / 4, regmap::JP2_SIZE / 4,
+                    NOBODY);
 }
 
 std::optional<std::string> LostAccesses::look(std::uint32_t address, unsigned bytes, bool write) {

@@ -22,7 +22,8 @@ namespace sim {
 class LostAccesses {
 public:
     // `memory_base`: where the processor sees the SDRAM, and the other memories behind it.
-    explicit LostAccesses(std::uint32_t memory_base);
+    // `has_jp2`: whether there is the parallel port JP2.
+    explicit LostAccesses(std::uint32_t memory_base, bool has_jp2 = true);
 
     // A message about an access that was answered but went astray.  Only for the first write, and
     // the first read, in each block, gap or repetition.

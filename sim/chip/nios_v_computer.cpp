@@ -80,7 +80,7 @@ void NiosVComputer::set_line(unsigned number, bool up) {
 
 // The timer counts, and the memories have no answers that are kept.
 bool NiosVComputer::is_plain(std::uint32_t address, bool write, std::uint32_t value) const {
-    return !bus.is_watched() && address - LW_BASE < LW_SIZE &&
+    return !bus.is_watched() && !bus.is_diverted(address) && address - LW_BASE < LW_SIZE &&
            address - TIMER_BASE >= MachineTimer::SIZE &&
            (write ? is_plain_output(address, value) : is_plain_input(address, value));
 }

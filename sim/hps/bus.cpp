@@ -46,6 +46,32 @@ void Bus::describe(const std::string& name, std::string title, std::vector<Place
     window.places = std::move(places);
 }
 
+namespace {
+
+std::optional<std::uint32_t> offset_in(const std::optional<Bus::Detour>& detour,
+                                       std::uint32_t address) {
+    if (!detour || address < detour->from) return std::nullopt;
+    const std::uint32_t offset = (address - detour->from) % detour->each;
+    return offset < detour->size ? std::optional{offset} : std::nullopt;
+}
+
+}  // namespace
+
+std::uint32_t Bus::Window::within(std::uint32_t address) const {
+    const auto offset = offset_in(detour, address);
+    return (offset ? detour->to + *offset : address) - base;
+}
+
+void Bus::divert(const std::string& name, const Detour& detour) {
+    windows_[number_of(name)].detour = detour;
+}
+
+bool Bus::is_diverted(std::uint32_t address) const {
+    return std::any_of(windows_.begin(), windows_.end(), [address](const Window& window) {
+        return address - window.base < window.size && offset_in(window.detour, address);
+    });
+}
+
 void Bus::on_answered(const std::string& name, Notify notify) {
     windows_[number_of(name)].notify = std::move(notify);
 }
@@ -99,7 +125,7 @@ bool Bus::forward(bool write, std::uint32_t address, unsigned char* data, unsign
     tx.set_streaming_width(span);
     Window* window = find(address, span);
     if (!window || !window->on) return false;
-    tx.set_address(address - window->base);
+    tx.set_address(window->within(address));
     (*window->socket)->b_transport(tx, delay);
     window->written |= write;
     return tx.is_response_ok();
@@ -112,7 +138,7 @@ void Bus::b_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay) {
     const std::uint64_t address = tx.get_address();
     Window* window = find(address, tx.get_data_length());
     if (window && window->on) {
-        tx.set_address(address - window->base);
+        tx.set_address(window->within(static_cast<std::uint32_t>(address)));
         (*window->socket)->b_transport(tx, delay);
         tx.set_address(address);
         window->written |= tx.is_write();

@@ -17,6 +17,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,6 +60,15 @@ public:
     };
     // The places within the window `name`; `title` is its name in messages.  As gate().
     void describe(const std::string& name, std::string title, std::vector<Place> places);
+    // Addresses of a window that its interconnect answers at other ones: `size` bytes from `from`
+    // on, and the same again each `each` bytes, at `to`.  A burst that begins before them is not
+    // cut.
+    struct Detour {
+        std::uint32_t from, size, each, to;
+    };
+    // Of the window `name`; as gate().
+    void divert(const std::string& name, const Detour& detour);
+    bool is_diverted(std::uint32_t address) const;
     // Places of the board that have no window.
     void leave_out(std::vector<Place> places) { absent_ = std::move(places); }
 
@@ -119,6 +129,10 @@ private:
         std::string title = name;
         std::vector<Place> places = {{name, base, size}};
         Notify notify = {};  // may be none
+        std::optional<Detour> detour = {};
+
+        // Of an address on the bus, that behind the window.
+        std::uint32_t within(std::uint32_t address) const;
     };
 
     void b_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);

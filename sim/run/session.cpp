@@ -170,8 +170,12 @@ std::unique_ptr<Chip> System::chip_for(const RunPlan& plan, Software software,
                       part.to ? part.to->ps : MAX_SIM_TIME.ps};
     if (!built) {
         const Computer::Settings settings{
-            plan.seed, trace, plan.bridged_memory ? Fpga::Memory::BRIDGED : Fpga::Memory::MAPPED,
-            plan.audio_rate, run.program.shortcuts};
+            plan.seed,
+            trace,
+            plan.bridged_memory ? Fpga::Memory::BRIDGED : Fpga::Memory::MAPPED,
+            plan.audio_rate,
+            run.program.shortcuts,
+            !plan.computer_of || plan.computer_of->has_wire("GPIO_1[0]")};
         if (auto* program = std::get_if<NiosVProgram>(&software)) {
             std::unique_ptr<NiosVComputer> chip;
             if (plan.computer_of && plan.computer_of->computer == "DE10-Lite")

@@ -49,6 +49,16 @@ TEST_F(De10LiteCommand, RefusesAStepForWhatTheBoardHasNot) {
             "  - take-screenshot: {save-to: lcd.png, of: HPS LCD}\n");
 }
 
+TEST_F(De10LiteCommand, HasNoJp2OnADe10Standard) {
+    const std::string lit = "  - expect-leds: {equals: \"0000001010\", timeout: 1ms}\n";
+    EXPECT_EQ(on("de1-soc", DRIVES_JP2_ELF, lit).exit_code, 0);
+    const tb::Outcome outcome = on("de10-standard", DRIVES_JP2_ELF, lit);
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err + outcome.out,
+                HasSubstr("wrote 0xFF200074: no block is there; on the board, too, the "
+                          "interconnect sends it to "));
+}
+
 TEST_F(De10LiteCommand, RefusesAProgramForTheArm) {
     refuses("DE10-Lite", SUMS_ELF,
             "board DE10-Lite: its computer has Nios V: expected a program for RISC-V");

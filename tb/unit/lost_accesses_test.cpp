@@ -22,6 +22,14 @@ protected:
     }
 };
 
+TEST_F(LostAccesses, AreThoseToJp2WhereItIsNot) {
+    EXPECT_EQ(write(regmap::JP2_DATA), "");
+    sim::LostAccesses without{0xC0000000, false};
+    EXPECT_THAT(without.look(regmap::JP2_DATA, 4, true).value_or(""),
+                HasSubstr("no block is there"));
+    EXPECT_EQ(without.look(regmap::JP1_DATA, 4, true), std::nullopt);
+}
+
 TEST_F(LostAccesses, AreReportedOncePerDirection) {
     EXPECT_EQ(write(0xC803FFFC), "");
     EXPECT_EQ(
