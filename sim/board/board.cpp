@@ -36,14 +36,10 @@ Board::Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::
                   if (vga == Monitor::Strictness::TOLERANT) observer.log("monitor: " + line);
               },
               shape.has_blank},
-      codec_chip{[this, &observer](const StereoSample& sample, std::uint64_t) {
-                     if (codec_chip.rate_hz() != rate_hz_)
-                         observer.sample_rate(rate_hz_ = codec_chip.rate_hz());
-                     observer.sample(static_cast<std::int16_t>(sample.left >> 16),
-                                     static_cast<std::int16_t>(sample.right >> 16));
-                 },
-                 [this] { return line_in.sample(codec_chip.time_ps(), codec_chip.rate_hz()); },
-                 [this] { return microphone.sample(codec_chip.time_ps(), codec_chip.rate_hz()); }},
+      codec_chip{
+          [this](const StereoSample& sample, std::uint64_t) { hear(sample, codec_chip.rate_hz()); },
+          [this] { return line_in.sample(codec_chip.time_ps(), codec_chip.rate_hz()); },
+          [this] { return microphone.sample(codec_chip.time_ps(), codec_chip.rate_hz()); }},
       video_decoder{
           [&observer](const std::string& line) { observer.log("video decoder: " + line); }},
       keypad{agenda, seed, [this] { headers_moved(); }},
@@ -54,7 +50,8 @@ Board::Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::
       usb{agenda, usb_plugs},
       remote_control{agenda, [this] { chip_->inputs().irda_rxd = remote_control.dark(); }},
       hdmi_transmitter{
-          [&observer](const std::string& line) { observer.log("HDMI transmitter: " + line); }},
+          [&observer](const std::string& line) { observer.log("HDMI transmitter: " + line); },
+          [this](const StereoSample& sample) { hear(sample, hdmi_transmitter.rate_hz()); }},
       accelerometer{
           "accelerometer", [this](bool up) { chip_->hps_accelerometer_interrupt(up); },
           [&observer](const std::string& line) { observer.log("accelerometer: " + line); }},
@@ -121,23 +118,31 @@ void Board::codec(const CodecPins& pins, std::uint64_t time_ps, ChipInputs& in) 
                !(has_decoder_ && video_decoder.pulls_sda_low()) &&
                !(has_hdmi_ && hdmi_transmitter.pulls_sda_low());
     };
-    const auto hear = [&](bool sdat) {
-        codec_chip.drive({pins.bclk, pins.daclrck, pins.adclrck, pins.dacdat, pins.sclk, sdat,
-                          pins.clocks_driven},
-                         time_ps);
+    const auto listen = [&](bool sdat) {
+        if (has_codec_)
+            codec_chip.drive({pins.bclk, pins.daclrck, pins.adclrck, pins.dacdat, pins.sclk, sdat,
+                              pins.clocks_driven},
+                             time_ps);
         video_decoder.drive_i2c(pins.sclk, sdat, time_ps);
         hdmi_transmitter.drive_i2c(pins.sclk, sdat, time_ps);
     };
     const bool sdat = sdat_level();
-    hear(sdat);
+    listen(sdat);
     in.sdat = sdat_level();
-    if (in.sdat != sdat) hear(in.sdat);  // what one of them pulls or releases
+    if (in.sdat != sdat) listen(in.sdat);  // what one of them pulls or releases
+    if (has_hdmi_) hdmi_transmitter.drive_sound(pins.bclk, pins.daclrck, pins.dacdat, time_ps);
     in.adcdat = codec_chip.adcdat();
     in.codec = codec_chip.clocks();
 }
 
+void Board::hear(const StereoSample& sample, double rate_hz) {
+    if (rate_hz != rate_hz_) observer_.sample_rate(rate_hz_ = rate_hz);
+    observer_.sample(static_cast<std::int16_t>(sample.left >> 16),
+                     static_cast<std::int16_t>(sample.right >> 16));
+}
+
 void Board::xck(std::uint64_t period_fs, std::uint64_t, ChipInputs& in) {
-    codec_chip.xck(period_fs);
+    if (has_codec_) codec_chip.xck(period_fs);
     in.codec = codec_chip.clocks();
 }
 

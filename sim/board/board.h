@@ -134,6 +134,7 @@ private:
     void ps2_wires(ChipInputs& in) const;
     void light(std::uint64_t lit, std::uint64_t mask, std::uint64_t time_ps);
     void see(std::uint64_t time_ps);
+    void hear(const StereoSample& sample, double rate_hz);
 
     BoardObserver& observer_;
     std::function<void(const std::string&)> typed_ = [](const std::string&) {};

@@ -31,6 +31,11 @@ struct AudioFormat {
     unsigned least_bclks() const { return framing == DSP ? 2 * bits : bits; }  // in a slot
 };
 
+// Of two periods of LRCK in a row.
+inline bool within_1_percent(std::uint64_t a, std::uint64_t b) {
+    return 100 * (a > b ? a - b : b - a) <= b;
+}
+
 class AudioReceiver {
 public:
     struct Frame {

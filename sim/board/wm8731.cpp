@@ -43,10 +43,6 @@ StereoSample top_24_bits(const StereoSample& sample) {
     return {sample.left & ~0xff, sample.right & ~0xff};
 }
 
-bool within_1_percent(std::uint64_t a, std::uint64_t b) {
-    return 100 * (a > b ? a - b : b - a) <= b;
-}
-
 }  // namespace
 
 Wm8731::Wm8731(Sink sink, Source line_in, Source microphone)

@@ -125,6 +125,8 @@ void add_results(RunReport& report, Board& board, ProgramSystem* processor,
         (computer ? report.faults : report.advice).push_back("codec: " + error);
     if (const std::string silence = board.codec_chip.silence(); !computer && !silence.empty())
         report.advice.push_back("codec: " + silence);
+    if (const std::string silence = board.hdmi_transmitter.silence(); !silence.empty())
+        report.advice.push_back("HDMI transmitter: " + silence);
     for (const std::string& fault : runner.faults()) report.faults.push_back(fault);
     report.expectations = runner.results();
     report.checks = recorder.observations().tap.checks();

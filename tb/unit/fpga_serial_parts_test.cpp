@@ -1,4 +1,6 @@
 // Parts on the FPGA's serial wires on other boards: the ADXL345 by SPI and I2C, the ADV7513 by I2C.
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -12,6 +14,7 @@ namespace {
 using sim::Adv7513;
 using sim::Adxl345Wires;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 constexpr std::uint64_t STEP_PS = 2'500'000;  // of a bit at 100 kHz
 
@@ -121,7 +124,41 @@ protected:
     void move(bool scl, bool sda) {
         chip.drive_i2c(scl, sda && !chip.pulls_sda_low(), now_ps += STEP_PS);
     }
-    Adv7513 chip;
+    void write(std::uint8_t number, std::uint8_t value) {
+        ShortI2c master{[&](bool scl, bool sda) { move(scl, sda); },
+                        [&] { return chip.pulls_sda_low(); }};
+        master.start();
+        for (const std::uint8_t byte : {std::uint8_t{0x72}, number, value})
+            EXPECT_TRUE(master.write(byte));
+        master.stop();
+    }
+    // A slot of 32 SCLKs of 64 x 48 kHz, MSB first; `late`: the MSB is at the second.
+    void slot(bool lrclk, std::uint32_t bits, bool late) {
+        constexpr std::uint64_t HALF_PS = 162'760;
+        for (unsigned n = 0; n < 32; ++n) {
+            const unsigned place = late ? n - 1 : n;
+            const bool data = place < 32 && bits >> (31 - place) & 1;
+            chip.drive_sound(false, lrclk, data, now_ps += HALF_PS);
+            chip.drive_sound(true, lrclk, data, now_ps += HALF_PS);
+        }
+    }
+    void frames(unsigned count, bool late, bool left_high) {
+        for (unsigned n = 0; n < count; ++n) {
+            slot(left_high, 0x12345600, late);
+            slot(!left_high, 0xABCDEF00, late);
+        }
+    }
+    // Programming Guide: 4.4.1, audio input; 0xAF, HDMI; N = 6144 for 48 kHz.
+    void set_up_sound() {
+        write(0x41, 0x10);
+        write(0xAF, 0x06);
+        write(0x02, 0x18);
+    }
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> heard;
+    std::vector<std::string> said;
+    Adv7513 chip{
+        [&](const std::string& line) { said.push_back(line); },
+        [&](const sim::StereoSample& sample) { heard.emplace_back(sample.left, sample.right); }};
     std::uint64_t now_ps = 0;
 };
 
@@ -157,6 +194,52 @@ TEST_F(HdmiTransmitter, ReadsWhatWasWrittenAndThatAMonitorIsThere) {
     EXPECT_EQ(master.read(true), 0x10);
     EXPECT_EQ(master.read(false) & 0x60, 0x60);
     master.stop();
+}
+
+// Programming Guide, 0x0C: 0 is I2S, 1 right-justified by 0x0D, 2 left-justified.
+TEST_F(HdmiTransmitter, SendsTheSoundOfI2sInEachFormat) {
+    const std::pair<std::uint32_t, std::uint32_t> sample{0x12345600, 0xABCDEF00};
+    set_up_sound();
+    frames(5, true, false);
+    EXPECT_EQ(heard.back(), sample);
+    EXPECT_NEAR(chip.rate_hz(), 48'000, 10);
+    write(0x0C, 0xBE);
+    frames(5, false, true);
+    EXPECT_EQ(heard.back(), sample);
+    write(0x0C, 0xBD);
+    write(0x0D, 16);
+    frames(5, false, true);
+    EXPECT_EQ(heard.back(), std::make_pair(0x56000000u, 0xEF000000u));
+    EXPECT_EQ(chip.silence(), "");
+    EXPECT_TRUE(said.empty());
+}
+
+TEST_F(HdmiTransmitter, SaysWhyItIsSilent) {
+    const auto why = [&] {
+        frames(3, true, false);
+        EXPECT_EQ(heard.back(), std::make_pair(0u, 0u));
+        return chip.silence();
+    };
+    EXPECT_EQ(chip.silence(), "");
+    EXPECT_THAT(why(), HasSubstr("it is powered down"));
+    write(0x41, 0x10);
+    EXPECT_THAT(why(), HasSubstr("DVI has no sound: expected HDMI (bit 1 of 0xAF)"));
+    write(0xAF, 0x06);
+    EXPECT_THAT(why(), HasSubstr("N is 0 (0x01 to 0x03): expected 6144 at 48 kHz"));
+    write(0x02, 0x18);
+    write(0x44, 0x19);
+    EXPECT_THAT(why(), HasSubstr("it sends no sound or no N"));
+    write(0x44, 0x79);
+    write(0x0C, 0xB8);
+    EXPECT_THAT(why(), HasSubstr("its input I2S0 is off"));
+}
+
+TEST_F(HdmiTransmitter, SaysThatNDoesNotFitTheRate) {
+    set_up_sound();
+    write(0x02, 0x01);
+    frames(5, true, false);
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_THAT(said[0], HasSubstr("N is 256 (0x01 to 0x03): HDMI has 4096 to 20480 at 48000 Hz"));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // de10_nano.v - the bands on a DE10-Nano, by its HDMI transmitter
 //
-// LED[6:0] count KEY0; LED[7] is lit when the transmitter has acknowledged its set-up.
+// LED[6:0] count KEY0; LED[7] is lit when the transmitter has acknowledged its set-up. KEY1 sounds.
 
 module de10_nano (
     input         FPGA_CLK1_50,
@@ -12,6 +12,9 @@ module de10_nano (
     output        HDMI_TX_HS,
     output        HDMI_TX_VS,
     output [23:0] HDMI_TX_D,
+    output        HDMI_SCLK,
+    output        HDMI_LRCLK,
+    output        HDMI_I2S,
     output        HDMI_I2C_SCL,
     inout         HDMI_I2C_SDA
 );
@@ -25,6 +28,9 @@ module de10_nano (
                    .vs(HDMI_TX_VS), .visible(HDMI_TX_DE), .red(red), .green(green), .blue(blue),
                    .count(count));
     hdmi_setup setup (.clock(clock), .scl(HDMI_I2C_SCL), .sda(HDMI_I2C_SDA), .done(done));
+
+    i2s_tone tone (.clock(clock), .on(!KEY[1]), .sclk(HDMI_SCLK), .lrclk(HDMI_LRCLK),
+                   .sdata(HDMI_I2S));
 
     assign LED = {done, count[6:0]};
     assign HDMI_TX_CLK = ~clock;

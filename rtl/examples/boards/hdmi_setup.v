@@ -1,4 +1,5 @@
-// hdmi_setup.v - writes the registers of an ADV7513 that RGB of 24 bits needs, by I2C at 100 kHz
+// hdmi_setup.v - writes the registers of an ADV7513 that RGB of 24 bits and sound by I2S need, by
+// I2C at 100 kHz
 //
 // A quarter of a bit at a time: SDA changes while SCL is low.  A register that is not acknowledged
 // is written again.
@@ -9,7 +10,7 @@ module hdmi_setup (
     inout      sda,
     output reg done = 0
 );
-    localparam LAST = 13;
+    localparam LAST = 15;
 
     reg  [5:0]  divider = 0;
     reg  [1:0]  quarter = 0;
@@ -31,10 +32,12 @@ module hdmi_setup (
             6: entry = 16'ha3a4;
             7: entry = 16'he0d0;
             8: entry = 16'hf900;
-            9: entry = 16'h1500;   // RGB of 24 bits, syncs apart
+            9: entry = 16'h1520;   // RGB of 24 bits, syncs apart; the monitor is told 48 kHz
             10: entry = 16'h1630;  // 8 bits a colour
             11: entry = 16'h1846;  // no conversion of colours
-            12: entry = 16'haf04;  // DVI
+            12: entry = 16'haf06;  // HDMI, which has sound
+            13: entry = 16'h0cbc;  // sound in the format I2S
+            14: entry = 16'h0218;  // N = 6144, for rates about 48 kHz
             default: entry = 16'h4080;
         endcase
 
