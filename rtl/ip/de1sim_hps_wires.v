@@ -7,7 +7,7 @@
 
 module de1sim_hps_wires #(
     // verilator lint_off UNUSED
-    parameter        KIND   = 0,   // as sim/project/model.h has them
+    parameter        KIND   = 0,   // as sim/pins/fpga_model.h has them
     parameter        NUMBER = -1,  // which of its kind; -1: by the instance's name
     // verilator lint_on UNUSED
     parameter        FROM   = 1,   // bits, up to 64

@@ -93,4 +93,12 @@ std::vector<AxiBurst> axi_bursts(std::uint32_t address, unsigned bytes, bool wri
     return Splitter{write, how, width}.run(address, bytes);
 }
 
+AxiBurst long_burst(std::uint32_t address, unsigned bytes, unsigned first) {
+    const std::uint32_t at = address + first;
+    const unsigned now =
+        std::min({bytes - first, BEATS * WORD - at % WORD, BOUNDARY - at % BOUNDARY});
+    const unsigned size = now == 1 ? 1 : now == 2 && at % 2 == 0 ? 2 : WORD;
+    return {at, (at + now - 1) / size - at / size + 1, size, false, first, now};
+}
+
 }  // namespace sim

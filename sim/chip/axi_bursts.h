@@ -41,4 +41,8 @@ struct AxiBurst {
 std::vector<AxiBurst> axi_bursts(std::uint32_t address, unsigned bytes, bool write,
                                  const AxiAttributes& how, unsigned width);
 
+// The burst of words that carries a transaction from its byte `first` on: of at most 16 words, and
+// none beyond 4 KB.  One byte, or one aligned half-word, is narrow.
+AxiBurst long_burst(std::uint32_t address, unsigned bytes, unsigned first);
+
 }  // namespace sim

@@ -28,12 +28,12 @@ Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, ChipO
                    std::uint8_t* sdram, Software software, const Settings& settings)
     : ProcessorSystem{name, pins, observer, std::move(software)},
       ComputerFabric{pins, observer, sdram, settings, regmap::SDRAM_BASE} {
-    full_window.bind(fpga.h2f);
-    lightweight_window.bind(fpga.lw);
+    full_window.bind(bridges.h2f);
+    lightweight_window.bind(bridges.lw);
     describe("h2f", "lw", bus, cpu, observer);
     if (arm) arm->set_steady_bus(this);
     if (arm && !settings.shortcuts) arm->leave_no_rounds_out();
-    fpga.on_interrupts([this](std::uint64_t levels) { hps.fpga_interrupts(levels); });
+    fpga.on_processor_wires({[this](std::uint64_t levels) { hps.fpga_interrupts(levels); }, {}});
 }
 
 // Of the University Program's pixel buffer, as the DE1-SoC Computer has it.

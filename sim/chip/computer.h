@@ -1,7 +1,7 @@
 // computer.h - the chip as this project fills it: the fabric of rtl/, and the processor with its
 // silicon.
 //
-//   ProcessorSystem --+- Fpga lw, h2f --> pins
+//   ProcessorSystem --+- FpgaBridges --> FpgaChip with Fabric --> pins
 //                          +- JtagHost (JTAG UARTs)
 #pragma once
 
@@ -23,8 +23,8 @@ public:
              std::uint8_t* sdram, Software software, const Settings& settings);
 
     std::uint64_t time_ps() const override {
-        const bool by_program = arm && arm->is_running() && !fpga.is_busy();
-        return by_program ? arm->now().value() : fpga.fabric().time_ps();
+        const bool by_program = arm && arm->is_running() && !bridges.is_busy();
+        return by_program ? arm->now().value() : fabric.time_ps();
     }
     void hps_key(bool pressed) override { hps.gpio1.press_key(pressed); }
     void hps_accelerometer_interrupt(bool up) override { accelerometer_interrupt(up); }
@@ -33,14 +33,14 @@ public:
 
     // The fabric has to have run for some microseconds since.
     bool is_printing() override { return jtag_host.rests() || ProcessorSystem::is_printing(); }
-    void close_bridges() override { fpga.close(); }
-    bool is_accessing() const override { return fpga.is_busy(); }
+    void close_bridges() override { bridges.close(); }
+    bool is_accessing() const override { return bridges.is_busy(); }
 
     bool has_written_memory() const override { return bus.written("h2f"); }
     bool has_own_memory() const override { return true; }
 
 private:
-    std::uint64_t changes() const override { return fpga.changes(); }
+    std::uint64_t changes() const override { return fabric.changes(); }
     bool is_plain(std::uint32_t address, bool write, std::uint32_t value) const override {
         return !bus.is_watched() && !bus.is_diverted(address) &&
                (write ? is_plain_output(address, value) : is_plain_input(address, value));
@@ -51,7 +51,7 @@ private:
     }
     std::uint64_t fixed_ps(std::uint32_t address) const override;
     std::optional<std::uint64_t> again(bool write, std::uint64_t begin_ps) override {
-        return fpga.again(write, begin_ps);
+        return bridges.again(write, begin_ps);
     }
     void left_out(bool write, std::uint64_t accesses) override { bus.left_out(write, accesses); }
 };

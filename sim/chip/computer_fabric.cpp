@@ -85,14 +85,16 @@ bool is_plain_input(std::uint32_t address, std::uint32_t value) {
 ComputerFabric::ComputerFabric(PinListener& pins, ChipObserver& observer, std::uint8_t* sdram,
                                const Settings& settings, std::uint32_t memory_base)
     : lost_accesses_{memory_base, settings.has_jp2},
-      fpga{"fpga", pins, settings.trace, settings.memory, sdram, settings.audio_rate},
-      jtag_host{"jtag_host", fpga,
+      fabric{pins, settings.trace, settings.audio_rate},
+      fpga{"fpga", pins, fabric, ClockPhases{FABRIC_PERIOD_PS, settings.seed}},
+      bridges{"bridges", fpga, FpgaBridges::Bursts::LONG},
+      jtag_host{"jtag_host", fpga, fabric,
                 [&observer](unsigned number, char character) {
                     observer.console(character, number ? SerialLine::JTAG_1 : SerialLine::JTAG_0);
                 }},
       memory_base_{memory_base},
       has_jp2_{settings.has_jp2} {
-    fpga.spread_phases(settings.seed);
+    fabric.set_memory(settings.memory, sdram);
 }
 
 void ComputerFabric::describe(const char* memories, const char* registers, Bus& bus,
@@ -129,8 +131,8 @@ std::vector<std::string> ComputerFabric::characters() {
     for (unsigned y = 0; y < ROWS; ++y) {
         std::string row(COLUMNS, ' ');
         for (unsigned x = 0; x < COLUMNS; x += BURST)
-            fpga.peek_full(regmap::CHARACTERS_BASE - H2F_BASE + (y << 7) + x,
-                           reinterpret_cast<std::uint8_t*>(&row[x]), BURST);
+            bridges.peek(true, regmap::CHARACTERS_BASE - H2F_BASE + (y << 7) + x,
+                         reinterpret_cast<std::uint8_t*>(&row[x]), BURST);
         std::replace(row.begin(), row.end(), '\0', ' ');  // both show nothing
         rows.push_back(row);
     }

@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "sim/chip/fpga_bridges.h"
+#include "sim/chip/fpga_chip.h"
 #include "sim/chip/jtag_host.h"
 #include "sim/chip/lost_accesses.h"
 #include "sim/cpu/processor.h"
-#include "sim/fpga/fpga.h"
+#include "sim/fpga/fabric.h"
 #include "sim/hps/bus.h"
 #include "sim/pins/chip.h"
 
@@ -27,7 +29,7 @@ public:
     struct Settings {
         std::uint64_t seed = 1;  // of the phases between the processor's clock and the fabric's
         Trace trace;
-        Fpga::Memory memory = Fpga::Memory::BRIDGED;
+        Fabric::Memory memory = Fabric::Memory::BRIDGED;
         unsigned audio_rate = 8'000;  // samples per second: or 48,000
         bool shortcuts = true;        // ArmCpu::leave_no_rounds_out()
         bool has_jp2 = true;          // the parallel port JP2, which the DE10-Standard's has not
@@ -37,9 +39,9 @@ public:
     ComputerFabric(PinListener& pins, ChipObserver& observer, std::uint8_t* sdram,
                    const Settings& settings, std::uint32_t memory_base);
 
-    ChipInputs& inputs() override { return fpga.inputs(); }
+    ChipInputs& inputs() override { return fabric.in; }
     void catch_up() override { fpga.catch_up(); }
-    void end_trace() override { fpga.end_trace(); }
+    void end_trace() override { fabric.end_trace(); }
 
     // The program has written into the fabric's memories.
     virtual bool has_written_memory() const = 0;
@@ -60,7 +62,9 @@ private:
     LostAccesses lost_accesses_;
 
 public:
-    Fpga fpga;
+    Fabric fabric;
+    FpgaChip fpga;
+    FpgaBridges bridges;
     JtagHost jtag_host;
 
 private:

@@ -60,8 +60,8 @@ std::map<std::uint32_t, std::string> registers_by_address() {
 
 // ---- The map ------------------------------------------------------------------------------------
 
-De10LiteMap::De10LiteMap(const sc_core::sc_module_name& name, Fpga& fpga, De10LitePins& pins,
-                         const std::uint8_t* sdram,
+De10LiteMap::De10LiteMap(const sc_core::sc_module_name& name, FpgaChip& fpga, Fabric& fabric,
+                         De10LitePins& pins, const std::uint8_t* sdram,
                          std::function<void(unsigned line, bool up)> interrupt,
                          std::function<void(const std::string&)> log)
     : sc_module{name},
@@ -69,9 +69,10 @@ De10LiteMap::De10LiteMap(const sc_core::sc_module_name& name, Fpga& fpga, De10Li
       registers{"registers"},
       to_memory{"to_memory"},
       to_registers{"to_registers"},
-      picture{sdram, [&fpga](std::uint32_t offset, const std::uint8_t* data,
-                             unsigned bytes) { fpga.write_onchip(offset, data, bytes); }},
+      picture{sdram, [&fabric](std::uint32_t offset, const std::uint8_t* data,
+                               unsigned bytes) { fabric.write_onchip(offset, data, bytes); }},
       fpga_{fpga},
+      fabric_{fabric},
       pins_{pins},
       log_{std::move(log)},
       arduino_{pins, [interrupt](bool up) { interrupt(lite::ARDUINO_LINE, up); }},
@@ -81,7 +82,7 @@ De10LiteMap::De10LiteMap(const sc_core::sc_module_name& name, Fpga& fpga, De10Li
     memory.register_get_direct_mem_ptr(this, &De10LiteMap::direct_memory);
     registers.register_b_transport(this, &De10LiteMap::transport_registers);
     pins.on_samples([this](std::size_t count) { picture.beam(count); });
-    pins.connect(fpga.inputs(), [this] { arduino_.look(); });
+    pins.connect(fabric.in, [this] { arduino_.look(); });
 }
 
 bool De10LiteMap::direct_memory(tlm::tlm_generic_payload& tx, tlm::tlm_dmi& dmi) {
@@ -208,7 +209,7 @@ Answer De10LiteMap::controller(const Access& a, sc_time& delay) {
         come_to(delay);  // the last swap may be done
         std::uint32_t any = 1;
         const Answer answer = fabric(regmap::PIXEL_BUFFER, true, any);
-        picture.ask(fpga_.fabric().clocks());
+        picture.ask(fabric_.clocks());
         return answer;
     }
     if (number == lite::PIXEL_BACK_BUFFER) {
@@ -291,6 +292,7 @@ De10LiteComputer::De10LiteComputer(const sc_core::sc_module_name& name, PinListe
       NiosVComputer{name, lite_pins, observer, sdram, std::move(program), settings, NoMap{}},
       map_{"map",
            fpga,
+           fabric,
            lite_pins,
            sdram,
            [this](unsigned line, bool up) { set_line(line, up); },
@@ -299,7 +301,7 @@ De10LiteComputer::De10LiteComputer(const sc_core::sc_module_name& name, PinListe
            }} {
     bus.window("memory", 0, MEMORY_END).bind(map_.memory);
     bus.window("registers", LW_BASE, LW_SIZE).bind(map_.registers);
-    map_.to_memory.bind(fpga.h2f);
+    map_.to_memory.bind(bridges.h2f);
     map_.to_registers.bind(window.socket);
     bus.name_registers(registers_by_address());
     bus.describe("memory", "the memories", places(true));

@@ -1,7 +1,7 @@
 // de10_lite_computer.h - the chip as the DE10-Lite Computer with Nios V: NiosVComputer with another
 // map, another picture and other pins
 //
-//   Bus --> De10LiteMap -+- Fpga h2f: SDRAM, characters        De10LitePins --> pins
+//   Bus --> De10LiteMap -+- FpgaBridges h2f: SDRAM, characters        De10LitePins --> pins
 //                        +- De10LitePicture: on-chip memory, pixel buffer controller
 //                        +- NiosVWindow: what is as on the DE1-SoC
 //                        +- ArduinoPort, Max10Converter, AccelerometerPort
@@ -39,8 +39,9 @@ public:
     tlm_utils::simple_initiator_socket<De10LiteMap> to_memory, to_registers;
 
     // `log` gets a line where an access goes to the SDRAM in place of a block, once for each place.
-    De10LiteMap(const sc_core::sc_module_name& name, Fpga& fpga, De10LitePins& pins,
-                const std::uint8_t* sdram, std::function<void(unsigned line, bool up)> interrupt,
+    De10LiteMap(const sc_core::sc_module_name& name, FpgaChip& fpga, Fabric& fabric,
+                De10LitePins& pins, const std::uint8_t* sdram,
+                std::function<void(unsigned line, bool up)> interrupt,
                 std::function<void(const std::string&)> log);
 
     De10LitePicture picture;
@@ -74,7 +75,8 @@ private:
                                   sc_core::sc_time& delay);
     void come_to(sc_core::sc_time& delay);
 
-    Fpga& fpga_;
+    FpgaChip& fpga_;
+    Fabric& fabric_;
     De10LitePins& pins_;
     std::function<void(const std::string&)> log_;
     std::set<std::pair<std::uint32_t, bool>> reported_;

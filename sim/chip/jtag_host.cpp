@@ -8,9 +8,9 @@ const sc_core::sc_time usb_frame{1, sc_core::SC_MS};
 
 }  // namespace
 
-JtagHost::JtagHost(const sc_core::sc_module_name& name, Fpga& fpga, Shown shown)
-    : sc_module{name}, fpga_{fpga}, shown_{std::move(shown)} {
-    fpga_.on_jtag_byte(
+JtagHost::JtagHost(const sc_core::sc_module_name& name, FpgaChip& fpga, Fabric& fabric, Shown shown)
+    : sc_module{name}, fpga_{fpga}, fabric_{fabric}, shown_{std::move(shown)} {
+    fabric_.on_jtag_byte(
         [this](auto number, char character, auto& in) { byte(number, character, in); });
     SC_HAS_PROCESS(JtagHost);
     SC_METHOD(look);
@@ -25,15 +25,20 @@ void JtagHost::byte(unsigned number, char character, JtagInputs& jtag) {
         jtag.take = static_cast<std::uint8_t>(jtag.take & ~(1u << number));
 }
 
-bool JtagHost::rests() { return fpga_.jtag().take != (1u << UARTS) - 1; }
+JtagInputs& JtagHost::inputs() {
+    fpga_.run_to(sc_core::sc_time_stamp().value());
+    return fabric_.jtag;
+}
+
+bool JtagHost::rests() { return inputs().take != (1u << UARTS) - 1; }
 
 void JtagHost::look() {
-    JtagInputs& jtag = fpga_.jtag();
+    JtagInputs& jtag = inputs();
     for (unsigned& taken : taken_) taken = 0;
     jtag.take = (1u << UARTS) - 1;
     jtag.idle = jtag.take;
     for (unsigned n = 0; n < UARTS; ++n) {
-        if (typed_[n].empty() || !(fpga_.fabric().jtag_room() >> n & 1)) continue;
+        if (typed_[n].empty() || !(fabric_.jtag_room() >> n & 1)) continue;
         const auto byte = static_cast<std::uint8_t>(typed_[n].front());
         typed_[n].pop_front();
         jtag.typed = static_cast<std::uint8_t>(jtag.typed | 1u << n);

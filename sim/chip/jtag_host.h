@@ -13,7 +13,8 @@
 #include <functional>
 #include <string>
 
-#include "sim/fpga/fpga.h"
+#include "sim/chip/fpga_chip.h"
+#include "sim/fpga/fabric.h"
 
 #include <systemc>
 
@@ -23,7 +24,7 @@ class JtagHost : public sc_core::sc_module {
 public:
     // `shown` gets each character that a JTAG UART sends, with its number.
     using Shown = std::function<void(unsigned number, char character)>;
-    JtagHost(const sc_core::sc_module_name& name, Fpga& fpga, Shown shown);
+    JtagHost(const sc_core::sc_module_name& name, FpgaChip& fpga, Fabric& fabric, Shown shown);
 
     void type(unsigned number, const std::string& text) {
         typed_[number].insert(typed_[number].end(), text.begin(), text.end());
@@ -38,7 +39,10 @@ private:
     void look();
     void byte(unsigned number, char character, JtagInputs& jtag);
 
-    Fpga& fpga_;
+    JtagInputs& inputs();  // as of now
+
+    FpgaChip& fpga_;
+    Fabric& fabric_;
     Shown shown_;
     sc_core::sc_event look_;
     std::deque<char> typed_[UARTS];

@@ -49,18 +49,18 @@ NiosVComputer::NiosVComputer(const sc_core::sc_module_name& name, PinListener& p
             }},
       cpu{"cpu", std::move(program), [&observer](const std::string& line) { observer.log(line); }} {
     cpu.socket.bind(bus.socket);
-    window.fpga.bind(fpga.lw);
+    window.fpga.bind(bridges.lw);
     window.timer.bind(timer.socket);
     cpu.explain_by([this](auto... access) { return bus.refusal(access...); });
     if (settings.shortcuts) cpu.set_steady_bus(this);
-    fpga.on_interrupts([this](std::uint64_t levels) { fabric_interrupts(levels); });
+    fpga.on_processor_wires({[this](std::uint64_t levels) { fabric_interrupts(levels); }, {}});
 }
 
 NiosVComputer::NiosVComputer(const sc_core::sc_module_name& name, PinListener& pins,
                              ChipObserver& observer, std::uint8_t* sdram, NiosVProgram program,
                              const Settings& settings)
     : NiosVComputer{name, pins, observer, sdram, std::move(program), settings, NoMap{}} {
-    bus.window("memory", 0, MEMORY_SIZE).bind(fpga.h2f);
+    bus.window("memory", 0, MEMORY_SIZE).bind(bridges.h2f);
     bus.window("registers", LW_BASE, LW_SIZE).bind(window.socket);
     describe("memory", "registers", bus, cpu, observer,
              {{"the machine timer", TIMER_BASE, MachineTimer::SIZE}});

@@ -1,8 +1,8 @@
 // nios_v_computer.h - the chip as the DE1-SoC Computer with Nios V: the processor in the FPGA, its
 // memories and registers; no HPS
 //
-//   NiosVCpu -- Bus -+- Fpga h2f: SDRAM 0, on-chip memory 0x08000000, characters 0x09000000
-//                    +- NiosVWindow --> Fpga lw, 0xFF200000; MachineTimer --> pins
+//   NiosVCpu -- Bus -+- FpgaBridges h2f: SDRAM 0, on-chip memory 0x08000000, characters 0x09000000
+//                    +- NiosVWindow --> FpgaBridges lw, 0xFF200000; MachineTimer --> pins
 //                       JtagHost
 //
 // The fabric is that of the ARM's computer; what differs is its place in the map and the number of
@@ -42,8 +42,8 @@ public:
                   std::uint8_t* sdram, NiosVProgram program, const Settings& settings);
 
     std::uint64_t time_ps() const override {
-        const bool by_program = cpu.is_running() && !fpga.is_busy();
-        return by_program ? cpu.now().value() : fpga.fabric().time_ps();
+        const bool by_program = cpu.is_running() && !bridges.is_busy();
+        return by_program ? cpu.now().value() : fabric.time_ps();
     }
     void type(const std::string& text, SerialLine to) override;
 
@@ -51,8 +51,8 @@ public:
     ProgramCpu* program_cpu() override { return &cpu; }
     Bus& processor_bus() override { return bus; }
     bool is_printing() override { return jtag_host.rests(); }
-    void close_bridges() override { fpga.close(); }
-    bool is_accessing() const override { return fpga.is_busy(); }
+    void close_bridges() override { bridges.close(); }
+    bool is_accessing() const override { return bridges.is_busy(); }
 
     bool has_written_memory() const override { return bus.written("memory"); }
     bool has_own_memory() const override { return false; }
@@ -68,10 +68,10 @@ protected:
     void set_line(unsigned number, bool up);
 
 private:
-    std::uint64_t changes() const override { return fpga.changes(); }
+    std::uint64_t changes() const override { return fabric.changes(); }
     std::uint64_t fixed_ps(std::uint32_t) const override { return 0; }
     std::optional<std::uint64_t> again(bool write, std::uint64_t begin_ps) override {
-        return fpga.again(write, begin_ps);
+        return bridges.again(write, begin_ps);
     }
     void left_out(bool write, std::uint64_t accesses) override { bus.left_out(write, accesses); }
     void fabric_interrupts(std::uint64_t levels);

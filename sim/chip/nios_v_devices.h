@@ -1,7 +1,7 @@
 // nios_v_devices.h - what Nios V has of its own among the FPGA's registers: the window to them, and
 // the machine timer with the software interrupt
 //
-//   bus --> NiosVWindow --+--> Fpga lw
+//   bus --> NiosVWindow --+--> FpgaBridges lw
 //                         +--> MachineTimer, 0xFF202100
 //
 // The registers of the screen's controllers and of video-in hold addresses.  The fabric has an

@@ -20,7 +20,7 @@ const sc_core::sc_time longest_reset{20, sc_core::SC_MS};
 const sc_core::sc_time program_begins{100, sc_core::SC_US};
 
 const char* name_of(unsigned reset_requests) {
-    return reset_requests & project::Model::COLD ? "f2h_cold_rst_req_n" : "f2h_warm_rst_req_n";
+    return reset_requests & FpgaModel::COLD ? "f2h_cold_rst_req_n" : "f2h_warm_rst_req_n";
 }
 
 }  // namespace
@@ -32,7 +32,8 @@ ProjectComputer::ProjectComputer(const sc_core::sc_module_name& name, PinListene
                                  unsigned ddr3_mb_per_s)
     : ProcessorSystem{name, pins, observer, std::move(software)},
       masters{*this, ddr3_mb_per_s},
-      fpga{"fpga", pins, library, folder, trace, this, &masters},
+      design{pins, library, folder, trace, this, &masters},
+      fpga{"fpga", pins, design.model()},
       bridges{"bridges", fpga},
       peripherals{hps, fpga, [&observer](const std::string& line) { observer.log(line); }},
       system_{system},
@@ -101,14 +102,13 @@ std::uint32_t ProjectComputer::general_purpose(const sc_core::sc_time& now) {
 }
 
 void ProjectComputer::request_reset(unsigned requests) {
-    using project::Model;
     const unsigned begins = requests & ~std::exchange(reset_requests_, requests);
-    const bool held = requests & (Model::COLD | Model::WARM);
+    const bool held = requests & (FpgaModel::COLD | FpgaModel::WARM);
     reset_held_.cancel();
     if (held) reset_held_.notify(longest_reset);
     release_processor();
-    if (begins & Model::DEBUG) hps.reset_manager.reset(ResetManager::DEBUG_BY_FPGA);
-    if (!(begins & (Model::COLD | Model::WARM))) return;
+    if (begins & FpgaModel::DEBUG) hps.reset_manager.reset(ResetManager::DEBUG_BY_FPGA);
+    if (!(begins & (FpgaModel::COLD | FpgaModel::WARM))) return;
     const sc_core::sc_time now = sc_core::sc_time_stamp();
     if (now - std::exchange(last_reset_, now) > longest_reset) resets_ = 0;
     if (++resets_ == MANY_RESETS)
@@ -116,12 +116,12 @@ void ProjectComputer::request_reset(unsigned requests) {
             "the design has reset the processor {} times in turn by {}: does the reset that it "
             "gets by h2f_rst_n ask for the next one?",
             resets_, name_of(requests)));
-    hps.reset_manager.reset(begins & Model::COLD ? ResetManager::COLD_BY_FPGA
-                                                 : ResetManager::WARM_BY_FPGA);
+    hps.reset_manager.reset(begins & FpgaModel::COLD ? ResetManager::COLD_BY_FPGA
+                                                     : ResetManager::WARM_BY_FPGA);
 }
 
 void ProjectComputer::release_processor() {
-    const bool held = reset_requests_ & (project::Model::COLD | project::Model::WARM);
+    const bool held = reset_requests_ & (FpgaModel::COLD | FpgaModel::WARM);
     cpu.hold_in_reset(held || !has_begun_);
 }
 
@@ -162,7 +162,7 @@ std::optional<char> ProjectComputer::typed(unsigned number) {
 
 std::optional<Chip::End> ProjectComputer::end() const {
     if (unloaded_) return End{End::Kind::FAILED, *unloaded_};
-    return fpga.end();
+    return design.end();
 }
 
 void ProjectComputer::report_stray(std::uint32_t address, bool write) {

@@ -1,7 +1,7 @@
 // project_computer.h - the chip as somebody's project fills it, with the processor: a Platform
 // Designer system
 //
-//   ProcessorSystem --+- ProjectBridges --> ProjectChip --> pins
+//   ProcessorSystem --+- FpgaBridges --> FpgaChip with ProjectDesign --> pins
 //                     +- ProjectMasters <------+
 #pragma once
 
@@ -13,8 +13,9 @@
 #include <string>
 #include <vector>
 
+#include "sim/chip/fpga_bridges.h"
+#include "sim/chip/fpga_chip.h"
 #include "sim/chip/processor_system.h"
-#include "sim/chip/project_bridges.h"
 #include "sim/chip/project_chip.h"
 #include "sim/chip/project_code.h"
 #include "sim/chip/project_masters.h"
@@ -25,13 +26,13 @@ namespace sim {
 
 class ProjectComputer : public ProcessorSystem, public Chip, project::JtagTerminals {
 public:
-    // `library` and `folder` as ProjectChip has them, `ddr3_mb_per_s` as ProjectMasters.
+    // `library` and `folder` as ProjectDesign has them, `ddr3_mb_per_s` as ProjectMasters.
     ProjectComputer(const sc_core::sc_module_name& name, PinListener& pins, ChipObserver& observer,
                     Software software, const std::filesystem::path& library,
                     const std::string& folder, const Trace& trace,
                     const project::qsys::Generated& system, unsigned ddr3_mb_per_s);
 
-    ChipInputs& inputs() override { return fpga.inputs(); }
+    ChipInputs& inputs() override { return design.model().in; }
     void catch_up() override { fpga.catch_up(); }
     std::uint64_t time_ps() const override {
         return arm && arm->is_running() ? arm->now().value() : fpga.time_ps();
@@ -41,14 +42,15 @@ public:
     void type(const std::string& text, SerialLine to) override;
     std::optional<End> end() const override;
     std::optional<PixelBuffer> pixel_buffer() const override { return system_.pixels; }
-    void end_trace() override { fpga.end_trace(); }
+    void end_trace() override { design.model().end_trace(); }
 
     void close_bridges() override { bridges.close(); }
     bool is_accessing() const override { return bridges.is_busy(); }
 
     ProjectMasters masters;
-    ProjectChip fpga;
-    ProjectBridges bridges;
+    ProjectDesign design;
+    FpgaChip fpga;
+    FpgaBridges bridges;
     ProjectPeripherals peripherals;
 
 private:

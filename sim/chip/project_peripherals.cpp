@@ -5,7 +5,6 @@
 
 namespace sim {
 
-using project::Peripheral;
 using sc_core::sc_time;
 
 namespace {
@@ -15,10 +14,10 @@ constexpr unsigned LENT_DRIVEN_LSB = 29;
 
 }  // namespace
 
-ProjectPeripherals::ProjectPeripherals(Peripherals& hps, ProjectChip& fpga,
+ProjectPeripherals::ProjectPeripherals(Peripherals& hps, FpgaChip& fpga,
                                        const std::function<void(const std::string&)>& log)
     : hps_{hps}, fpga_{fpga} {
-    const project::Model& model = fpga.model();
+    const FpgaModel& model = fpga.model();
     Uart* const uarts[] = {&hps.uart0, &hps.uart1};
     for (unsigned n = 0; n < 2; ++n)
         if (model.has({Peripheral::UART, n})) uarts[n]->connect(wires({Peripheral::UART, n}));

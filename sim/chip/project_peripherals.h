@@ -14,30 +14,30 @@
 #include <functional>
 #include <string>
 
-#include "sim/chip/project_chip.h"
+#include "sim/chip/fpga_chip.h"
 #include "sim/hps/fabric_wires.h"
 #include "sim/hps/peripherals.h"
-#include "sim/project/model.h"
+#include "sim/pins/fpga_model.h"
 
 namespace sim {
 
-class ProjectPeripherals final : project::ProcessorWires {
+class ProjectPeripherals final : ProcessorWires {
 public:
     // `log`: what a person should know.
-    ProjectPeripherals(Peripherals& hps, ProjectChip& fpga,
+    ProjectPeripherals(Peripherals& hps, FpgaChip& fpga,
                        const std::function<void(const std::string&)>& log);
 
 private:
-    void moved(project::Peripheral which, std::uint64_t levels, std::uint64_t time_ps) override;
-    FabricWires wires(project::Peripheral which);
-    void drive(project::Peripheral which, std::uint64_t levels, const sc_core::sc_time& now);
+    void moved(Peripheral which, std::uint64_t levels, std::uint64_t time_ps) override;
+    FabricWires wires(Peripheral which);
+    void drive(Peripheral which, std::uint64_t levels, const sc_core::sc_time& now);
     void catch_up(const sc_core::sc_time& until);
 
     std::array<I2cController*, 4> i2c();
     std::array<SpiController*, 4> spi();
 
     Peripherals& hps_;
-    ProjectChip& fpga_;
+    FpgaChip& fpga_;
     bool is_told_ = false;  // by the design, which runs
 };
 

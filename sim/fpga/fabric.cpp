@@ -1,6 +1,7 @@
 #include "sim/fpga/fabric.h"
 
 #include <algorithm>
+#include <cstring>
 #include <stdexcept>
 #include <utility>
 
@@ -134,7 +135,7 @@ inline std::uint64_t Fabric::clock(std::uint64_t most) {
     if (!model_->every_clock && time_ps() + LEAP_PS >= model_->trace.from_ps && !top.clk_i)
         begin_trace();
 #endif
-    if (clocks_ >= until_) stop();
+    if (clocks_ >= until_) keep_agenda(time_ps() + FABRIC_PERIOD_PS - 1);
     const bool every_clock = model_->every_clock;
     if (every_clock) {
         other_edges(2 * clocks_ + 1);
@@ -158,7 +159,7 @@ inline std::uint64_t Fabric::clock(std::uint64_t most) {
         model_->notify_moved(moved_);
         top.clk_i = !top.clk_i;  // sim/fpga/root_clock.v
     }
-    changes_ += pins_may_move && !accessed_;
+    changes_ += pins_may_move && phase_ == Phase::NONE;
     moved_ = 0;
     model_->eval(time_ps() + FABRIC_PERIOD_PS);
     clocks_ += passed;
@@ -181,31 +182,44 @@ inline std::uint64_t Fabric::clock(std::uint64_t most) {
 }
 
 // Somebody else may have been at the inputs, or at the agenda.
-void Fabric::begin() {
+void Fabric::look() {
     look_ = true;
     look_ahead();
 }
 
 void Fabric::look_ahead() {
     agenda_ps_ = pins_.agenda.next_ps();
-    until_ = std::min(agenda_ps_, meet_ps_) / FABRIC_PERIOD_PS;
-}
-
-// What comes before the next clock's edge.
-void Fabric::stop() {
-    const std::uint64_t edge_ps = time_ps() + FABRIC_PERIOD_PS;
-    while (meet_ps_ < edge_ps) meet_ps_ = (*met_)();
-    keep_agenda(edge_ps - 1);
+    until_ = agenda_ps_ / FABRIC_PERIOD_PS;
 }
 
 void Fabric::keep_agenda(std::uint64_t time_ps) {
-    pins_.agenda.run_to(time_ps);
-    begin();
+    if (pins_.agenda.next_ps() <= time_ps) {
+        pins_.agenda.run_to(time_ps);
+        look();
+    }
+    pins_.agenda.pass_to(time_ps);
 }
 
-void Fabric::run(std::uint64_t clocks) {
-    begin();
-    while (clocks) clocks -= clock(clocks);
+void Fabric::run_to(std::uint64_t clock_number, bool to_answer) {
+    look();
+    while (clocks_ < clock_number && !(to_answer && phase_ == Phase::NONE)) {
+        const std::uint64_t most = clock_number - clocks_;
+        phase_ == Phase::NONE ? static_cast<void>(clock(most)) : burst_clock(most);
+    }
+}
+
+void Fabric::run_clocks(std::uint64_t clocks) { run_to(clocks_ + clocks, false); }
+
+void Fabric::run(std::uint64_t until_ps) {
+    run_to(until_ps / FABRIC_PERIOD_PS, false);
+    keep_agenda(until_ps);
+}
+
+bool Fabric::run_to_answer(std::uint64_t until_ps) {
+    run_to(until_ps / FABRIC_PERIOD_PS, true);
+    if (phase_ == Phase::NONE) return true;
+    keep_agenda(until_ps);
+    return false;
 }
 
 // The registers change in clocks of their groups alone, and these wake by themselves when their
@@ -228,120 +242,93 @@ void Fabric::flush() {
     if (count) pins_.video(video_, count);
 }
 
-// Runs up to and including the clock edge that sees `ready` high.
-bool Fabric::clock_until(const std::uint8_t& ready) {
-    for (unsigned i = 0; i < ANSWER_CLOCKS; ++i) {
-        const bool taken = ready;
+// ---- A burst: each step is a clock, whose edge sees the signals that are there before ----
+
+// Whatever changes beside the burst may not be seen, so it counts as a change unless all is calm.
+void Fabric::begin(const BridgeBurst& burst) {
+    look();
+    burst_ = burst;
+    burst_.error = BridgeBurst::OKAY;
+    calm_before_ = calm() >= LONGEST_ACCESS;
+    begun_ = clocks_;
+    moved_ |= burst.full ? FULL : LIGHTWEIGHT;
+    phase_ = Phase::ADDRESS;
+    beat_ = 0;
+    AxiPort& axi = model_->port(burst.full);
+    if (burst.write) {
+        axi.awaddr = burst.address;
+        axi.awlen = static_cast<CData>(burst.beats - 1);
+        axi.awsize = static_cast<CData>(burst.size);
+        axi.awburst = static_cast<CData>(burst.kind);
+        axi.awvalid = 1;
+    } else {
+        axi.araddr = burst.address;
+        axi.arlen = static_cast<CData>(burst.beats - 1);
+        axi.arsize = static_cast<CData>(burst.size);
+        axi.arburst = static_cast<CData>(burst.kind);
+        axi.arvalid = 1;
+    }
+}
+
+void Fabric::end_burst() {
+    phase_ = Phase::NONE;
+    changes_ += !calm_before_ || clocks_ - begun_ > LONGEST_ACCESS || calm() == 0;
+}
+
+// Or `most` clocks, if nothing moves but the burst's answer.
+void Fabric::burst_clock(std::uint64_t most) {
+    AxiPort& axi = model_->port(burst_.full);
+    burst_.write ? write_clock(axi, most) : read_clock(axi);
+}
+
+void Fabric::put_word(AxiPort& axi) {
+    const BridgeBurst::Beat& beat = burst_.beat[beat_];
+    std::memcpy(&axi.wdata, beat.lanes.data(), sizeof axi.wdata);
+    axi.wstrb = static_cast<CData>(beat.strobes);
+    axi.wvalid = 1;
+}
+
+void Fabric::write_clock(AxiPort& axi, std::uint64_t most) {
+    if (phase_ == Phase::ADDRESS) {
+        const bool taken = axi.awready;
         clock(1);
-        if (taken) return true;
-    }
-    return false;
-}
-
-namespace {
-
-// Beats of one byte or one aligned half-word are narrow, as the processor makes them; all others
-// are words, with the lanes that are not meant left out by strobes.
-unsigned size_of(std::uint32_t address, unsigned bytes) {
-    if (bytes == 1) return 0;
-    if (bytes == 2 && address % 2 == 0) return 1;
-    return 2;
-}
-
-}  // namespace
-
-// Whatever changes beside the access may not be seen, so it counts as a change unless all is calm.
-template <class Access>
-AxiResponse Fabric::access(Bridge bridge, const Access& made) {
-    begin();
-    const bool calm_before = calm() >= LONGEST_ACCESS;
-    const std::uint64_t from = clocks_;
-    moved_ |= bridge == Bridge::LIGHTWEIGHT ? LIGHTWEIGHT : FULL;
-    accessed_ = true;
-    const AxiResponse response = made();
-    accessed_ = false;
-    changes_ += !calm_before || clocks_ - from > LONGEST_ACCESS || calm() == 0;
-    return response;
-}
-
-AxiResponse Fabric::write(Bridge bridge, std::uint32_t address, const std::uint8_t* data,
-                          unsigned bytes) {
-    return access(bridge, [&] { return write_by(bridge, address, data, bytes); });
-}
-
-AxiResponse Fabric::read(Bridge bridge, std::uint32_t address, std::uint8_t* data, unsigned bytes) {
-    return access(bridge, [&] { return read_by(bridge, address, data, bytes); });
-}
-
-AxiResponse Fabric::write_by(Bridge bridge, std::uint32_t address, const std::uint8_t* data,
-                             unsigned bytes) {
-    AxiPort& axi = model_->port(bridge);
-    const std::uint32_t first = address / 4, last = (address + bytes - 1) / 4;
-    axi.awaddr = address;
-    axi.awlen = static_cast<CData>(last - first);
-    axi.awsize = static_cast<CData>(size_of(address, bytes));
-    axi.awburst = 1;  // INCR
-    axi.awvalid = 1;
-    bool alive = clock_until(axi.awready);
-    axi.awvalid = 0;
-    const std::uint32_t end = address + bytes;
-    for (std::uint32_t word = first; alive && word <= last; ++word) {
-        const std::uint32_t from = std::max(address, word * 4), to = std::min(end, word * 4 + 4);
-        std::uint32_t value = 0;
-        unsigned strobes = 0;
-        for (std::uint32_t a = from; a < to; ++a) {
-            value |= static_cast<std::uint32_t>(data[a - address]) << (a % 4 * 8);
-            strobes |= 1u << a % 4;
-        }
-        axi.wdata = value;
-        axi.wstrb = static_cast<CData>(strobes);
-        axi.wvalid = 1;
-        alive = clock_until(axi.wready);
-    }
-    axi.wvalid = 0;
-    return alive ? await_write(bridge, PROMPT_CLOCKS) : AxiResponse::NONE;
-}
-
-AxiResponse Fabric::await_write(Bridge bridge, std::uint64_t clocks) {
-    AxiPort& axi = model_->port(bridge);
-    begin();
-    while (!axi.bvalid) {
-        if (clocks == 0) return AxiResponse::PENDING;
-        clocks -= clock(clocks);
-    }
-    const auto response = static_cast<AxiResponse>(axi.bresp);
-    axi.bready = 1;
-    clock(1);
-    axi.bready = 0;
-    return response;
-}
-
-AxiResponse Fabric::read_by(Bridge bridge, std::uint32_t address, std::uint8_t* data,
-                            unsigned bytes) {
-    AxiPort& axi = model_->port(bridge);
-    const std::uint32_t first = address / 4, last = (address + bytes - 1) / 4,
-                        end = address + bytes;
-    axi.araddr = address;
-    axi.arlen = static_cast<CData>(last - first);
-    axi.arsize = static_cast<CData>(size_of(address, bytes));
-    axi.arburst = 1;  // INCR
-    axi.arvalid = 1;
-    bool alive = clock_until(axi.arready);
-    axi.arvalid = 0;
-    AxiResponse response = AxiResponse::OKAY;
-    for (std::uint32_t word = first; alive && word <= last; ++word) {
-        for (unsigned i = 0; alive && !axi.rvalid; ++i) {
-            if (i == ANSWER_CLOCKS) alive = false;
-            clock(1);
-        }
-        if (!alive) break;
-        if (axi.rresp != 0) response = static_cast<AxiResponse>(axi.rresp);
-        const std::uint32_t from = std::max(address, word * 4), to = std::min(end, word * 4 + 4);
-        for (std::uint32_t a = from; a < to; ++a)
-            data[a - address] = static_cast<std::uint8_t>(axi.rdata >> (a % 4 * 8));
+        if (!taken) return;
+        axi.awvalid = 0;
+        phase_ = Phase::DATA;
+        put_word(axi);
+    } else if (phase_ == Phase::DATA) {
+        const bool taken = axi.wready;
         clock(1);
+        if (!taken) return;
+        if (++beat_ < burst_.beats) return put_word(axi);
+        axi.wvalid = 0;
+        phase_ = Phase::RESPONSE;
+    } else if (!axi.bvalid) {
+        clock(most);
+    } else {
+        burst_.error = axi.bresp;
+        axi.bready = 1;
+        clock(1);
+        axi.bready = 0;
+        end_burst();
     }
-    return alive ? response : AxiResponse::NONE;
+}
+
+void Fabric::read_clock(AxiPort& axi) {
+    if (phase_ == Phase::ADDRESS) {
+        const bool taken = axi.arready;
+        clock(1);
+        if (!taken) return;
+        axi.arvalid = 0;
+        phase_ = Phase::DATA;
+    } else if (!axi.rvalid) {
+        clock(1);
+    } else {
+        if (axi.rresp != BridgeBurst::OKAY) burst_.error = axi.rresp;
+        std::memcpy(burst_.beat[beat_].lanes.data(), &axi.rdata, sizeof axi.rdata);
+        clock(1);
+        if (++beat_ == burst_.beats) end_burst();
+    }
 }
 
 }  // namespace sim

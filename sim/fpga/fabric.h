@@ -1,12 +1,19 @@
-// fabric.h - the Verilated fpga.v as plain C++: its clock, its pins, its two AXI bridges.
+// fabric.h - the Verilated fpga.v, which is this project's own content of the FPGA.
 //
-// No SystemC here.  A Fabric is run clock by clock (25 MHz, 40 ns), the audio clock and the video
-// decoder's in their own time between them; what leaves by the pins goes to a PinListener, what the
-// board puts on the inputs lies in `in` and counts from the next clock on (adcdat from the audio
-// clock's next rise).  In each run, and in an access over a bridge, the board's agenda is kept: all
-// entries before a clock's edge come before it.
-// Clocks in which nothing would happen are left out of the model (rtl/SLEEP.md), but not of
-// what is notified: it is the same as with every one of them.
+// It is run clock by clock (25 MHz, 40 ns), the audio clock and the video decoder's in their own
+// time between them.  What the board puts on the inputs counts from the next clock on (adcdat from
+// the audio clock's next rise).  All entries of the board's agenda before a clock's edge come
+// before it.  Clocks in which nothing would happen are left out of the model (rtl/SLEEP.md), but
+// not of what is notified: it is the same as with every one of them.
+//
+// Memory::MAPPED: the memories behind the full bridge, the SDRAM chip and the on-chip memory, are
+// offered without the bridge's Verilog, since a program that draws pixel by pixel would spend all
+// its time there.  There is one storage, so the screen sees the same, up to a scan line sooner.
+// What video-in writes lies in the same storage.  Instructions that were translated before it wrote
+// over them are not translated again, as the real processor's caches would not hear of it either.
+//
+// Memory::BRIDGED: every access goes through the Verilog; the SDRAM is offered for instructions
+// alone.
 #pragma once
 
 #include <cstddef>
@@ -15,10 +22,9 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "sim/fpga/asynchronous_clock.h"
-#include "sim/pins/pins.h"
+#include "sim/pins/fpga_model.h"
 #include "sim/pins/trace.h"
 
 namespace sim {
@@ -35,66 +41,45 @@ struct JtagInputs {
     }
 };
 
-enum class Bridge { LIGHTWEIGHT, FULL };
-enum class AxiResponse : std::uint8_t {
-    OKAY = 0,
-    EXOKAY = 1,
-    SLVERR = 2,
-    DECERR = 3,
-    NONE = 4,
-    PENDING = 5  // of a write: the block is not done with it
-};
-
-class Fabric {
+class Fabric : public FpgaModel {
 public:
+    enum class Memory { MAPPED, BRIDGED };
+
     // Comes up in reset and leaves it after 8 clocks.  `trace`: waveforms, only in a build with
     // tracing.  `audio_rate`: samples per second, 8,000 or 48,000.
     explicit Fabric(PinListener& pins, const Trace& trace = {}, unsigned audio_rate = 8'000);
-    ~Fabric();
+    ~Fabric() override;
 
-    void end_trace();  // writes out the rest of the waveforms; what follows is not in them
+    // `sdram`: the chip's 64 MB; null: it is reached by its pins alone.
+    void set_memory(Memory memory, std::uint8_t* sdram);
 
-    ChipInputs in;
     JtagInputs jtag;
 
     // Called when JTAG UART `number` has sent a byte; may change `in`, which is `jtag`.
     using JtagSent = std::function<void(unsigned number, char byte, JtagInputs& in)>;
     void on_jtag_byte(JtagSent sent) { jtag_sent_ = std::move(sent); }
 
-    void run(std::uint64_t clocks);
-    // Carries out the board's entries up to and with a time that is before the next clock's edge.
-    void keep_agenda(std::uint64_t time_ps);
-
-    // `met` is called before the first clock edge after `at_ps`; it returns the time after which
-    // to call it next.  It may wait while others look at the pins.
-    using Met = std::function<std::uint64_t()>;
-    void meet(std::uint64_t at_ps, const Met* met) {
-        meet_ps_ = at_ps;
-        met_ = met;
-    }
+    void run(std::uint64_t until_ps) override;
+    void run_clocks(std::uint64_t clocks);
+    void flush() override;
+    void end_trace() override;
 
     std::uint64_t clocks() const { return clocks_; }
-    std::uint64_t time_ps() const { return clocks_ * FABRIC_PERIOD_PS; }
+    std::uint64_t time_ps() const override { return clocks_ * FABRIC_PERIOD_PS; }
 
-    // In so many clocks from now on no register changes, if nobody accesses one and no input moves.
-    // May be too low: 0 where this build cannot know.
-    std::uint64_t calm() const;
-    // Counts the clocks in which one may have changed by more than the accesses of a bridge.
-    std::uint64_t changes() const { return changes_; }
+    // 32 bits each.
+    unsigned bridge_width(bool) const override { return 32; }
+    void begin(const BridgeBurst& burst) override;
+    bool run_to_answer(std::uint64_t until_ps) override;
+    const BridgeBurst& answer() const override { return burst_; }
+    std::uint64_t interrupts() const override;
 
-    // Sends the video samples that have gathered to the listener.
-    void flush();
-
-    // In clocks, of one register that nothing holds up.
-    static constexpr std::uint64_t LONGEST_ACCESS = 12;
-    // One AXI burst of `bytes` from `address` (offset in the bridge); at most 16 words are touched.
-    // Runs the clock until the response is taken; NONE if there is none in 10,000 clocks.  A write
-    // whose data were taken but which is not answered at once is PENDING; its response is then
-    // waited for in so many clocks more.  There is no other write before it has come.
-    AxiResponse read(Bridge bridge, std::uint32_t address, std::uint8_t* data, unsigned bytes);
-    AxiResponse write(Bridge bridge, std::uint32_t address, const std::uint8_t* data,
-                      unsigned bytes);
-    AxiResponse await_write(Bridge bridge, std::uint64_t clocks);
+    std::optional<std::uint64_t> access_memory(bool full, bool write, std::uint32_t address,
+                                               std::uint8_t* data, unsigned bytes,
+                                               std::uint64_t begin_ps) override;
+    std::optional<DirectMemory> direct_memory(bool full, std::uint32_t address) const override;
+    std::uint64_t changes() const override { return changes_; }
+    std::uint64_t calm_ps() const override { return calm() * FABRIC_PERIOD_PS; }
 
     // The on-chip memory's 256 KB, without its ports and in no time.  has_memory(): this build can;
     // one that knows the model's ports alone (DE1SIM_PORTS_ALONE: the netlist) cannot, and then the
@@ -113,7 +98,6 @@ public:
 
     std::uint16_t ledr() const;
     std::uint64_t hex_n() const;     // HEX5 in 41:35 ... HEX0 in 6:0, 0 = lit
-    std::uint64_t irq() const;       // bit n is interrupt ID 72 + n
     std::uint8_t jtag_room() const;  // bit n: JTAG UART n takes a byte from the host
 
     static bool can_trace();
@@ -121,13 +105,14 @@ public:
 private:
     struct Model;
     struct AxiPort;
-    static constexpr unsigned VIDEO_BATCH = 1024, ANSWER_CLOCKS = 10'000;
-    static constexpr unsigned PROMPT_CLOCKS = 16;  // in which a write is answered, usually
+    static constexpr unsigned VIDEO_BATCH = 1024;
 
     std::uint64_t clock(std::uint64_t most);  // how many have passed, 1 or more
-    void begin();
+    void run_to(std::uint64_t clock, bool to_answer);
+    void keep_agenda(std::uint64_t time_ps);
+    void look();
     void look_ahead();
-    void stop();
+    std::uint64_t calm() const;
     void other_edges(std::uint64_t halves);
     void audio_edge();
     void td_edge();
@@ -137,12 +122,11 @@ private:
     void notify_pins();
     void notify_codec(std::uint64_t time_ps);
     void notify_sdram();
-    bool clock_until(const std::uint8_t& ready);
-    AxiResponse read_by(Bridge bridge, std::uint32_t address, std::uint8_t* data, unsigned bytes);
-    AxiResponse write_by(Bridge bridge, std::uint32_t address, const std::uint8_t* data,
-                         unsigned bytes);
-    template <class Access>
-    AxiResponse access(Bridge bridge, const Access& made);
+    void burst_clock(std::uint64_t most);
+    void write_clock(AxiPort& axi, std::uint64_t most);
+    void read_clock(AxiPort& axi);
+    void put_word(AxiPort& axi);
+    void end_burst();
 
     PinListener& pins_;
     std::unique_ptr<Model> model_;
@@ -157,10 +141,20 @@ private:
     bool td_falls_ = false;   // ... which has fallen since the model was looked at
     std::uint64_t clocks_ = 0;
     std::uint64_t until_ = 0;  // clocks: somebody comes before the next one
-    std::uint64_t agenda_ps_ = Agenda::NEVER, meet_ps_ = Agenda::NEVER;
-    const Met* met_ = nullptr;
-    std::uint64_t changes_ = 0;
-    bool accessed_ = false;  // a bridge's access is under way
+    std::uint64_t agenda_ps_ = Agenda::NEVER;
+    std::uint64_t changes_ = 0;  // of clocks in which a register may have by more than a burst
+    BridgeBurst burst_{};        // the last one
+    enum class Phase : std::uint8_t {
+        NONE,
+        ADDRESS,
+        DATA,
+        RESPONSE
+    } phase_ = Phase::NONE;  // of it
+    unsigned beat_ = 0;
+    std::uint64_t begun_ = 0;   // the clock
+    bool calm_before_ = false;  // the burst
+    Memory memory_ = Memory::BRIDGED;
+    std::uint8_t* chip_ = nullptr;  // the SDRAM's storage
     std::uint32_t video_[VIDEO_BATCH];
     unsigned video_count_ = 0;
     std::uint32_t codec_was_ = 0, adc_was_ = 0;

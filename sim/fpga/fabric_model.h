@@ -92,7 +92,7 @@ struct Fabric::Model {
     bool cells_awake() const;
     bool last_line() const;
     bool pair_comes() const;
-    AxiPort &port(Bridge bridge) { return bridge == Bridge::LIGHTWEIGHT ? lw : h2f; }
+    AxiPort &port(bool full) { return full ? h2f : lw; }
 };
 
 // After the first evaluation, which is top.eval().

@@ -1,4 +1,4 @@
-// fabric_pins.cpp - what the fabric's pins hear and say, and its memories as they are.
+// fabric_pins.cpp - what the fabric's pins hear and say
 #include "sim/fpga/fabric.h"
 #include "sim/fpga/fabric_model.h"
 
@@ -80,43 +80,9 @@ void Fabric::notify_codec(std::uint64_t time_ps) {
                 time_ps, in);
 }
 
-#ifdef DE1SIM_PORTS_ALONE
-bool Fabric::has_memory() const { return false; }
-void Fabric::read_onchip(std::uint32_t, std::uint8_t*, unsigned) const {}
-void Fabric::write_onchip(std::uint32_t, const std::uint8_t*, unsigned) {}
-std::optional<Fabric::Audio> Fabric::audio() const { return {}; }
-#else
-#define LANE(n) &top.rootp->fpga__DOT__video_block__DOT__onchip__DOT__memory__DOT__lane##n[0]
-#define LANES \
-    { LANE(0), LANE(1), LANE(2), LANE(3) }
-
-bool Fabric::has_memory() const { return true; }
-
-void Fabric::read_onchip(std::uint32_t offset, std::uint8_t* data, unsigned bytes) const {
-    Vfpga& top = model_->top;
-    const CData* const lanes[] = LANES;
-    for (unsigned i = 0; i < bytes; ++i, ++offset) data[i] = lanes[offset % 4][offset / 4];
-}
-
-void Fabric::write_onchip(std::uint32_t offset, const std::uint8_t* data, unsigned bytes) {
-    Vfpga& top = model_->top;
-    CData* const lanes[] = LANES;
-    for (unsigned i = 0; i < bytes; ++i, ++offset) lanes[offset % 4][offset / 4] = data[i];
-}
-
-#define AUDIO(signal) top.rootp->fpga__DOT__audio_block__DOT__##signal
-
-std::optional<Fabric::Audio> Fabric::audio() const {
-    const Vfpga& top = model_->top;
-    return Audio{{AUDIO(left_out_count), AUDIO(right_out_count)},
-                 {AUDIO(left_in_count), AUDIO(right_in_count)},
-                 AUDIO(underruns_q)};
-}
-#endif
-
 std::uint16_t Fabric::ledr() const { return model_->top.ledr_o; }
 std::uint64_t Fabric::hex_n() const { return model_->top.hex_no; }
-std::uint64_t Fabric::irq() const { return model_->top.irq_o; }
+std::uint64_t Fabric::interrupts() const { return model_->top.irq_o; }
 std::uint8_t Fabric::jtag_room() const { return model_->top.jtag_room_o; }
 
 }  // namespace sim

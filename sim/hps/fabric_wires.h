@@ -2,7 +2,7 @@
 //
 // The design runs behind the processor.  `catch_up` lets it come to this time, and tells the
 // peripheral what has moved at its signals until then, each with its time.  `drive` gives it new
-// levels at this time.  The bits are those of Peripheral in sim/project/model.h.
+// levels at this time.  The bits are those of Peripheral in sim/pins/fpga_model.h.
 #pragma once
 
 #include <cstdint>

@@ -32,7 +32,7 @@ nlohmann::json Inside::look() const {
                   {"writes", frame_.writes},
                   {"bursts", frame_.bursts},
                   {"errors", processor_->processor_bus().counts().errors}};
-    if (const auto audio = fpga_ ? fpga_->fabric().audio() : std::nullopt)
+    if (const auto audio = fabric_ ? fabric_->audio() : std::nullopt)
         all["audio"] = {{"to_play", audio->to_play},
                         {"recorded", audio->recorded},
                         {"size", FIFO_SIZE},

@@ -17,7 +17,7 @@
 
 #include "sim/board/board.h"
 #include "sim/chip/program_system.h"
-#include "sim/fpga/fpga.h"
+#include "sim/fpga/fabric.h"
 #include "sim/report/report.h"
 
 namespace sim::live {
@@ -30,10 +30,10 @@ public:
         std::optional<FrameUse> frame;  // the last one
     };
 
-    // `processor`, `fpga` and `program`: null where there is none.
-    Inside(Board& board, ProgramSystem* processor, const Fpga* fpga,
+    // `processor`, `fabric` and `program`: null where there is none.
+    Inside(Board& board, ProgramSystem* processor, const Fabric* fabric,
            std::function<Program()> program)
-        : board_{board}, processor_{processor}, fpga_{fpga}, program_{std::move(program)} {}
+        : board_{board}, processor_{processor}, fabric_{fabric}, program_{std::move(program)} {}
 
     // To be called once per millisecond: lamps that have stopped to flash are seen as they are.
     void settle_lamps() { board_.settle_lamps(); }
@@ -50,7 +50,7 @@ public:
 private:
     Board& board_;
     ProgramSystem* const processor_;
-    const Fpga* const fpga_;  // with the DE1-SoC Computer's audio core
+    const Fabric* const fabric_;  // with the DE1-SoC Computer's audio core
     const std::function<Program()> program_;
     BusCounts then_, frame_;
     std::size_t sent_[3] = {};

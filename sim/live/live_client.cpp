@@ -10,8 +10,8 @@ void LiveClient::attach(const Access& access) {
             return Inside::Program{run->waiting(),
                                    frames.empty() ? std::nullopt : std::optional{frames.back()}};
         };
-    inside_.emplace(access.board, access.processor, access.fabric ? &access.fabric->fpga : nullptr,
-                    program);
+    inside_.emplace(access.board, access.processor,
+                    access.fabric ? &access.fabric->fabric : nullptr, program);
     view_.on_frame = [this] { inside_->frame_ended(); };
     access.runner.on_terminal = [this](const std::string& part, char byte) {
         view_.terminal(part, byte);

@@ -195,7 +195,7 @@ private:
 
     std::optional<std::uint32_t> read(const Register& place) {
         if (computer_ && place.address - regmap::LW_BASE < regmap::LW_SIZE)
-            return computer_->fpga.peek(place.address - regmap::LW_BASE);
+            return computer_->bridges.peek(place.address - regmap::LW_BASE);
         std::uint32_t value = 0;
         if (!arm_.read_memory(place.address, &value, sizeof value)) return std::nullopt;
         return value;
@@ -221,7 +221,7 @@ std::vector<std::string> missed_interrupts(NiosVComputer& computer) {
     const bool masked = !(core.csr(riscv_csr::MSTATUS).value() & riscv_mstatus::MIE);
     if (masked && enabled == 0) return {};
     const auto read = [&](const Register& place) {
-        return computer.fpga.peek(place.address - regmap::LW_BASE);
+        return computer.bridges.peek(place.address - regmap::LW_BASE);
     };
     std::vector<std::string> lines;
     const auto look = [&](unsigned number, const char* name, const Device* device) {

@@ -21,7 +21,7 @@ namespace sim {
 namespace {
 
 std::uint64_t underruns(ComputerFabric& computer) {
-    return computer.fpga.peek(regmap::CODEC_UNDERRUNS - LW_BASE).value_or(0);
+    return computer.bridges.peek(regmap::CODEC_UNDERRUNS - LW_BASE).value_or(0);
 }
 
 constexpr double FIRST_FRAMES_S = 0.034;  // the first is whole where the second begins
@@ -29,15 +29,14 @@ constexpr double FIRST_FRAMES_S = 0.034;  // the first is whole where the second
 // The program has given the display something to show: a picture, or a place for one.
 bool has_drawn(ComputerFabric& computer) {
     const auto holds = [&computer](std::uint32_t address, std::uint32_t value) {
-        return computer.fpga.peek(address - LW_BASE).value_or(value) == value;
+        return computer.bridges.peek(address - LW_BASE).value_or(value) == value;
     };
-    const auto has_pixels = [&fabric = computer.fpga.fabric()] {
+    const auto has_pixels = [&fabric = computer.fabric] {
         std::vector<std::uint8_t> bytes(regmap::ONCHIP_SIZE);
         fabric.read_onchip(0, bytes.data(), regmap::ONCHIP_SIZE);
         return std::any_of(bytes.begin(), bytes.end(), [](std::uint8_t byte) { return byte != 0; });
     };
-    return (computer.has_written_memory() &&
-            (!computer.fpga.fabric().has_memory() || has_pixels())) ||
+    return (computer.has_written_memory() && (!computer.fabric.has_memory() || has_pixels())) ||
            !holds(regmap::PIXEL_BUFFER, regmap::ONCHIP_BASE) ||
            !holds(regmap::PIXEL_BACK_BUFFER, regmap::ONCHIP_BASE);
 }
@@ -49,7 +48,7 @@ std::optional<std::uint32_t> picture_in_ddr3(ComputerFabric& computer) {
     constexpr std::uint32_t DDR3_SIZE = ProcessorSystem::DDR3_SIZE;
     constexpr std::uint32_t ONCHIP = regmap::ONCHIP_BASE % DDR3_SIZE;
     for (const std::uint32_t reg : {regmap::PIXEL_BUFFER, regmap::PIXEL_BACK_BUFFER}) {
-        const auto value = computer.fpga.peek(reg - LW_BASE);
+        const auto value = computer.bridges.peek(reg - LW_BASE);
         if (!value) continue;
         const std::uint32_t address = *value % DDR3_SIZE;
         const bool in_sdram = address < regmap::SDRAM_SIZE;

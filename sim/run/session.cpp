@@ -172,7 +172,7 @@ std::unique_ptr<Chip> System::chip_for(const RunPlan& plan, Software software,
         const Computer::Settings settings{
             plan.seed,
             trace,
-            plan.bridged_memory ? Fpga::Memory::BRIDGED : Fpga::Memory::MAPPED,
+            plan.bridged_memory ? Fabric::Memory::BRIDGED : Fabric::Memory::MAPPED,
             plan.audio_rate,
             run.program.shortcuts,
             !plan.computer_of || plan.computer_of->has_wire("GPIO_1[0]")};
@@ -196,7 +196,7 @@ std::unique_ptr<Chip> System::chip_for(const RunPlan& plan, Software software,
     }
     const std::string folder = project_folder_of(run.chip.project.place);
     if (plan.processor != RunPlan::Processor::ARM)
-        return std::make_unique<ProjectChip>("chip", pins, built->library, folder, trace);
+        return std::make_unique<ProjectChip>(pins, built->library, folder, trace);
     auto chip = std::make_unique<ProjectComputer>(
         "computer", pins, observer, hps_software(std::move(software)), built->library, folder,
         trace, processor_system_of(*built), plan.ddr3_mb_per_s);

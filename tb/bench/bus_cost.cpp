@@ -5,7 +5,8 @@
 #include <stdexcept>
 
 #include "regmap.h"
-#include "sim/fpga/fpga.h"
+#include "sim/chip/fpga_bridges.h"
+#include "sim/fpga/fabric.h"
 
 #include <systemc>
 #include <tlm>
@@ -84,10 +85,12 @@ private:
 
 BusCost bus_cost() {
     NoPins pins;
-    sim::Fpga fpga{"fpga", pins, {}};
+    sim::Fabric fabric{pins};
+    sim::FpgaChip fpga{"fpga", pins, fabric};
+    sim::FpgaBridges bridges{"bridges", fpga, sim::FpgaBridges::Bursts::LONG};
     Processor processor{"processor"};
-    processor.lw.bind(fpga.lw);
-    processor.h2f.bind(fpga.h2f);
+    processor.lw.bind(bridges.lw);
+    processor.h2f.bind(bridges.h2f);
     sc_core::sc_start();
     return processor.cost;
 }

@@ -12,6 +12,7 @@
 #include "sim/board/adv7180.h"
 #include "sim/board/is42s16320d.h"
 #include "sim/fpga/fabric.h"
+#include "tb/rtl/fabric_burst.h"
 
 namespace tb {
 
@@ -74,43 +75,48 @@ protected:
 
     void SetUp() override {
         pins.clocks = [this] { return fabric.clocks(); };
-        fabric.run(1000);
+        fabric.run_clocks(1000);
+    }
+    // Whether it is answered in so many clocks.
+    bool answered(std::uint64_t within_clocks = 10'000) {
+        return fabric.run_to_answer((fabric.clocks() + within_clocks) * sim::FABRIC_PERIOD_PS) &&
+               fabric.answer().error == sim::BridgeBurst::OKAY;
+    }
+    std::vector<std::uint8_t> read_bytes(bool full, std::uint32_t offset, unsigned count) {
+        fabric.begin(burst_of(full, false, offset, nullptr, count));
+        EXPECT_TRUE(answered());
+        std::vector<std::uint8_t> bytes(count);
+        for (unsigned n = 0; n < count; ++n)
+            bytes[n] = fabric.answer().beat[(offset + n) / 4 - offset / 4].lanes[(offset + n) % 4];
+        return bytes;
     }
     std::uint32_t read(std::uint32_t address) {
-        std::uint8_t bytes[4];
-        EXPECT_EQ(fabric.read(sim::Bridge::LIGHTWEIGHT, address - 0xFF200000, bytes, 4),
-                  sim::AxiResponse::OKAY);
+        const std::vector<std::uint8_t> bytes = read_bytes(false, address - 0xFF200000, 4);
         std::uint32_t value;
-        std::memcpy(&value, bytes, 4);
+        std::memcpy(&value, bytes.data(), 4);
         return value;
     }
     void write(std::uint32_t address, std::uint32_t value) {
         std::uint8_t bytes[4];
         std::memcpy(bytes, &value, 4);
-        EXPECT_EQ(fabric.write(sim::Bridge::LIGHTWEIGHT, address - 0xFF200000, bytes, 4),
-                  sim::AxiResponse::OKAY);
-        fabric.run(10);
+        fabric.begin(burst_of(false, true, address - 0xFF200000, bytes, 4));
+        EXPECT_TRUE(answered());
+        fabric.run_clocks(10);
     }
     // A write for which the bus waits, until written().
     void begin_write(std::uint32_t address, std::uint8_t value) {
-        EXPECT_EQ(fabric.write(sim::Bridge::LIGHTWEIGHT, address - 0xFF200000, &value, 1),
-                  sim::AxiResponse::PENDING);
+        fabric.begin(burst_of(false, true, address - 0xFF200000, &value, 1));
+        EXPECT_FALSE(answered(16));
     }
-    bool written(std::uint64_t within_clocks = 0) {
-        return fabric.await_write(sim::Bridge::LIGHTWEIGHT, within_clocks) ==
-               sim::AxiResponse::OKAY;
-    }
+    bool written(std::uint64_t within_clocks = 0) { return answered(within_clocks); }
     // Any bytes, through the bridge of 1 GB.
     std::vector<std::uint8_t> bytes_at(std::uint32_t address, unsigned count) {
-        std::vector<std::uint8_t> bytes(count);
-        EXPECT_EQ(fabric.read(sim::Bridge::FULL, address - 0xC0000000, bytes.data(), count),
-                  sim::AxiResponse::OKAY);
-        return bytes;
+        return read_bytes(true, address - 0xC0000000, count);
     }
     void put(std::uint32_t address, const std::vector<std::uint8_t>& bytes) {
-        EXPECT_EQ(fabric.write(sim::Bridge::FULL, address - 0xC0000000, bytes.data(),
-                               static_cast<unsigned>(bytes.size())),
-                  sim::AxiResponse::OKAY);
+        fabric.begin(burst_of(true, true, address - 0xC0000000, bytes.data(),
+                              static_cast<unsigned>(bytes.size())));
+        EXPECT_TRUE(answered());
     }
     static std::uint64_t irq_of(unsigned id) {
         return std::uint64_t{1} << (id - regmap::TIMER0_IRQ_ID);

@@ -17,7 +17,7 @@ TEST_F(FabricPorts, ReachEveryBankAndBothEndsOfTheMemories) {
         places.push_back(SDRAM_BASE + offset);
     for (std::uint32_t offset = 4; offset < CHARACTERS_SIZE; offset *= 2)
         places.push_back(CHARACTERS_BASE + offset);
-    fabric.run(10'000);  // while the SDRAM is initialised
+    fabric.run_clocks(10'000);  // while the SDRAM is initialised
     std::uint8_t number = 0;
     for (const std::uint32_t place : places) {
         ++number;
@@ -93,7 +93,7 @@ TEST_F(FabricPorts, SeeEachKeypadKeyInItsRowAndColumn) {
     for (unsigned key = 0; key < 16; ++key) {
         row = key / 4;
         column = key % 4;
-        fabric.run(4 * 4 * 1250);  // four scans
+        fabric.run_clocks(4 * 4 * 1250);  // four scans
         EXPECT_EQ(read(KEYPAD_KEYS), 1u << key);
     }
 }

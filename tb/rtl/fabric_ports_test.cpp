@@ -20,7 +20,7 @@ protected:
         pins.device_clk_low = clk_low;
         pins.device_dat_low = dat_low;
         pins.wires(fabric.in);
-        fabric.run(quarters * QUARTER);
+        fabric.run_clocks(quarters * QUARTER);
     }
     void device_sends(unsigned port, std::uint8_t byte) {
         unsigned ones = 0;
@@ -66,10 +66,10 @@ TEST_F(FabricPs2, InterruptsWithEachPortsNumber) {
     for (const unsigned port : {0u, 1u}) {
         device_sends(port, 0x55);
         write(control[1 - port], PS2_0_CONTROL_RE_MASK);
-        EXPECT_EQ(fabric.irq(), 0u);
+        EXPECT_EQ(fabric.interrupts(), 0u);
         write(control[1 - port], 0);
         write(control[port], PS2_0_CONTROL_RE_MASK);
-        EXPECT_EQ(fabric.irq(), irq_of(id[port]));
+        EXPECT_EQ(fabric.interrupts(), irq_of(id[port]));
         write(control[port], 0);
         read(data[port]);
     }
@@ -79,7 +79,7 @@ TEST_F(FabricPs2, HoldsClockLow120MicrosecondsThenPullsData) {
     for (const unsigned port : {0u, 1u}) {
         pins.pulls.clear();
         begin_write(data[port], 0xf4);
-        fabric.run(5'000);
+        fabric.run_clocks(5'000);
         ASSERT_THAT(pins.pulls, SizeIs(2));
         EXPECT_EQ(pins.pulls[0].clk_low, 1u << port);
         EXPECT_EQ(pins.pulls[0].dat_low, 0u);
@@ -102,7 +102,7 @@ TEST_F(FabricPorts, TakeWhatIsTypedAtTheirOwnTerminal) {
     for (const unsigned number : {0u, 1u}) {
         fabric.jtag.typed = static_cast<std::uint8_t>(1u << number);
         fabric.jtag.bytes = 0xA1 | 0xB2 << 8;
-        fabric.run(10);
+        fabric.run_clocks(10);
         EXPECT_EQ(read(data[1 - number]) & JTAG_UART0_DATA_RVALID_MASK, 0u);
         EXPECT_EQ(read(data[number]) & 0x80FF, 0x8000u | (number ? 0xB2 : 0xA1));
         EXPECT_EQ(read(data[number]) & JTAG_UART0_DATA_RVALID_MASK, 0u);
@@ -124,7 +124,7 @@ TEST_F(FabricPorts, KnowTheirOwnTerminalByItsLooks) {
     for (const unsigned number : {1u, 0u}) {
         EXPECT_EQ(read(control[number]) & JTAG_UART0_CONTROL_AC_MASK, 0u);
         fabric.jtag.idle = static_cast<std::uint8_t>(1u << number);
-        fabric.run(10);
+        fabric.run_clocks(10);
         EXPECT_EQ(read(control[number]) & JTAG_UART0_CONTROL_AC_MASK, JTAG_UART0_CONTROL_AC_MASK);
     }
 }
@@ -134,10 +134,10 @@ TEST_F(FabricPorts, InterruptForEachTerminalWithItsNumber) {
         write(control, JTAG_UART0_CONTROL_RE_MASK);
     for (const unsigned number : {1u, 0u}) {
         fabric.jtag.typed = static_cast<std::uint8_t>(1u << number);
-        fabric.run(10);
+        fabric.run_clocks(10);
         fabric.jtag.idle = static_cast<std::uint8_t>(1u << number);
-        fabric.run(10);
-        EXPECT_EQ(fabric.irq(), irq_of(number ? 112 : 80));
+        fabric.run_clocks(10);
+        EXPECT_EQ(fabric.interrupts(), irq_of(number ? 112 : 80));
         read(number ? JTAG_UART1_DATA : JTAG_UART0_DATA);
     }
 }
@@ -157,7 +157,10 @@ TEST_F(FabricPorts, InterruptWithEachBlocksNumber) {
         {"timer 1", TIMER1_IRQ_ID, TIMER1_CONTROL, TIMER0_CONTROL_ITO_MASK,
          [this] { write(TIMER1_PERIOD_HIGH, 0), write(TIMER1_PERIOD_LOW, 0); }},
         {"push buttons", KEY_IRQ_ID, KEY_MASK, 1,
-         [this] { fabric.in.key_n = 0xe, fabric.run(10), fabric.in.key_n = 0xf, fabric.run(10); }},
+         [this] {
+             fabric.in.key_n = 0xe, fabric.run_clocks(10), fabric.in.key_n = 0xf,
+             fabric.run_clocks(10);
+         }},
         {"keypad", KEYPAD_IRQ_ID, KEYPAD_MASK, KEYPAD_STATUS_EVENT_MASK,
          [this] {
              write(KEYPAD_DEBOUNCE, 1);
@@ -167,16 +170,16 @@ TEST_F(FabricPorts, InterruptWithEachBlocksNumber) {
                  in.gpio[0] = sim::ALL_HEADER_PINS & ~(low ? row | column : 0);
              };
              write(KEYPAD_CONTROL, 1);
-             fabric.run(4 * 4 * 1250);
+             fabric.run_clocks(4 * 4 * 1250);
          }},
         {"IrDA", IRDA_IRQ_ID, IRDA_CONTROL, IRDA_CONTROL_WE_MASK, [] {}},
         {"audio", AUDIO_IRQ_ID, AUDIO_CONTROL, AUDIO_CONTROL_WE_MASK, [] {}},
     };
     for (const Interrupt& each : interrupts) {
         each.happen();
-        EXPECT_EQ(fabric.irq(), 0u) << each.block;
+        EXPECT_EQ(fabric.interrupts(), 0u) << each.block;
         write(each.enable, each.value);
-        EXPECT_EQ(fabric.irq(), irq_of(each.id)) << each.block;
+        EXPECT_EQ(fabric.interrupts(), irq_of(each.id)) << each.block;
         write(each.enable, 0);
     }
 }
@@ -190,17 +193,17 @@ TEST_F(FabricPorts, InterruptForAFallingPinOfTheirHeader) {
         write(mask[header], 0x80000001);
         for (const unsigned pin : {1u, 35u}) {  // bits 0 and 31
             fabric.in.gpio[1 - header] &= ~(std::uint64_t{1} << pin);
-            fabric.run(10);
-            EXPECT_EQ(fabric.irq(), 0u) << "the other header's";
+            fabric.run_clocks(10);
+            EXPECT_EQ(fabric.interrupts(), 0u) << "the other header's";
             fabric.in.gpio[header] &= ~(std::uint64_t{1} << pin);
-            fabric.run(10);
-            EXPECT_EQ(fabric.irq(), irq_of(id[header])) << pin;
+            fabric.run_clocks(10);
+            EXPECT_EQ(fabric.interrupts(), irq_of(id[header])) << pin;
             EXPECT_EQ(read(edge[header]), pin == 1 ? 1u : 0x80000000u);
             for (const unsigned each : {0u, 1u}) {
                 fabric.in.gpio[each] |= std::uint64_t{1} << pin;
                 write(edge[each], 0xffffffff);
             }
-            EXPECT_EQ(fabric.irq(), 0u);
+            EXPECT_EQ(fabric.interrupts(), 0u);
         }
         write(mask[header], 0);
     }
@@ -214,7 +217,7 @@ TEST_F(FabricPorts, DriveTheFirstAndTheLastPinOfTheirHeader) {
         for (const auto& [bits, levels] :
              {std::pair{0x00000001u, FIRST}, std::pair{0x80000000u, LAST}}) {
             write(data[header], bits);
-            fabric.run(10);
+            fabric.run_clocks(10);
             EXPECT_EQ(pins.driven.enable[header], FIRST | LAST);
             EXPECT_EQ(pins.driven.levels[header] & (FIRST | LAST), levels);
         }
@@ -222,7 +225,7 @@ TEST_F(FabricPorts, DriveTheFirstAndTheLastPinOfTheirHeader) {
 }
 
 TEST_F(FabricPorts, SendNoSyncOnGreen) {
-    fabric.run(800 * 525);
+    fabric.run_clocks(800 * 525);
     fabric.flush();
     EXPECT_GE(pins.samples, 800u * 525);
     EXPECT_EQ(pins.with_sync, 0u);
@@ -233,10 +236,10 @@ TEST_F(FabricPorts, ShowAPictureThatBeginsMidWord) {
     put(ONCHIP_BASE, {0x00, 0xF8, 0xE0, 0x07, 0x1F, 0x00, 0x00, 0x00});  // red, green, blue, black
     write(PIXEL_BACK_BUFFER, ONCHIP_BASE + 2);
     write(PIXEL_BUFFER, 1);
-    fabric.run(2 * FRAME);
+    fabric.run_clocks(2 * FRAME);
     fabric.flush();
     pins.lit.clear();
-    fabric.run(FRAME);
+    fabric.run_clocks(FRAME);
     fabric.flush();
     constexpr std::uint32_t G = 0x00FF00, B = 0x0000FF;
     EXPECT_THAT(pins.lit, ElementsAre(G, G, B, B, G, G, B, B)) << "each pixel twice in two lines";

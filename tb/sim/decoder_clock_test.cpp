@@ -5,6 +5,7 @@
 
 #include "regmap.h"
 #include "sim/fpga/fabric.h"
+#include "tb/rtl/fabric_burst.h"
 
 namespace {
 
@@ -35,24 +36,25 @@ protected:
 
     void capture(bool on) {
         const std::uint8_t word[4] = {static_cast<std::uint8_t>(on ? 4 : 0), 0, 0, 0};
-        ASSERT_EQ(fabric.write(sim::Bridge::LIGHTWEIGHT, STATUS, word, 4), sim::AxiResponse::OKAY);
+        fabric.begin(tb::burst_of(false, true, STATUS, word, 4));
+        ASSERT_TRUE(fabric.run_to_answer(fabric.time_ps() + 100 * sim::FABRIC_PERIOD_PS));
     }
     // Those that have passed by now: the first is one period, 25 / 27 clocks, after the beginning.
     double rises_by_now() const { return static_cast<double>(fabric.clocks()) * 27 / 25; }
 };
 
 TEST_F(StandingClock, DoesNotRiseUntilSomebodyCaptures) {
-    fabric.run(100'000);
+    fabric.run_clocks(100'000);
     EXPECT_TRUE(pins.rises.empty());
 }
 
 TEST_F(StandingClock, GoesOnWhereItWouldBeHadItNeverStood) {
     for (const unsigned pause : {10u, 1'000u, 123'457u}) {
-        fabric.run(pause);
+        fabric.run_clocks(pause);
         pins.rises.clear();
         const double before = rises_by_now();
         capture(true);
-        fabric.run(10'000);
+        fabric.run_clocks(10'000);
         ASSERT_FALSE(pins.rises.empty());
         EXPECT_GE(static_cast<double>(pins.rises.front()), before - 2);
         EXPECT_LE(static_cast<double>(pins.rises.front()), before + 12) << "a write takes 5 clocks";
@@ -65,11 +67,11 @@ TEST_F(StandingClock, GoesOnWhereItWouldBeHadItNeverStood) {
 
 TEST_F(StandingClock, StandsStillAFewClocksAfterTheCapture) {
     capture(true);
-    fabric.run(1'000);
+    fabric.run_clocks(1'000);
     capture(false);
-    fabric.run(10);
+    fabric.run_clocks(10);
     const std::size_t seen = pins.rises.size();
-    fabric.run(100'000);
+    fabric.run_clocks(100'000);
     EXPECT_EQ(pins.rises.size(), seen);
 }
 

@@ -1,5 +1,5 @@
-// sim/fpga with the real fpga.v: TLM transactions become AXI bursts, and time goes by.
-#include "sim/fpga/fpga.h"
+// The real fpga.v in SystemC: TLM transactions become AXI bursts, and time goes by.
+#include "sim/chip/fpga_bridges.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,7 @@
 
 #include "regmap.h"
 #include "sim/board/is42s16320d.h"
+#include "sim/fpga/fabric.h"
 
 namespace {
 
@@ -65,13 +66,15 @@ private:
 class FpgaTest : public ::testing::Test {
 protected:
     Pins pins;
-    sim::Fpga fpga{"fpga", pins, {}};
+    sim::Fabric fabric{pins};
+    sim::FpgaChip fpga{"fpga", pins, fabric};
+    sim::FpgaBridges bridges{"bridges", fpga, sim::FpgaBridges::Bursts::LONG};
     Initiator cpu{"cpu"};
     sc_time delay;
 
     void run(std::function<void()> body) {
-        cpu.lw.bind(fpga.lw);
-        cpu.h2f.bind(fpga.h2f);
+        cpu.lw.bind(bridges.lw);
+        cpu.h2f.bind(bridges.h2f);
         cpu.body = std::move(body);
         sc_core::sc_start();
     }
@@ -124,10 +127,10 @@ TEST_F(FpgaTest, DrivesLampsAndReadsThemBack) {
     run([this] {
         write(regmap::LEDR_DATA, 0xffffffff);
         EXPECT_EQ(read(regmap::LEDR_DATA), 0x3ffu);
-        EXPECT_EQ(fpga.fabric().ledr(), 0x3ff);
+        EXPECT_EQ(fabric.ledr(), 0x3ff);
         write(regmap::HEX3_0_DATA, 0x06053f01);
         write(regmap::HEX5_4_DATA, 0x00007f40);
-        const std::uint64_t lit = ~fpga.fabric().hex_n() & 0x3ffffffffff;
+        const std::uint64_t lit = ~fabric.hex_n() & 0x3ffffffffff;
         EXPECT_EQ(lit, 0x7full << 35 | 0x40ull << 28 | 0x06ull << 21 | 0x05ull << 14 |
                            0x3full << 7 | 0x01ull);
     });
@@ -136,8 +139,8 @@ TEST_F(FpgaTest, DrivesLampsAndReadsThemBack) {
 TEST_F(FpgaTest, ReadsSwitchesAndPressedKeysAndCapturesTheRelease) {
     run([this] {
         now([this] {
-            fpga.inputs().sw = 0x2a5;
-            fpga.inputs().key_n = 0xf & ~4u;
+            fabric.in.sw = 0x2a5;
+            fabric.in.key_n = 0xf & ~4u;
         });
         wait(1, sc_core::SC_US);
         EXPECT_EQ(read(regmap::SW_DATA), 0x2a5u);
@@ -146,10 +149,10 @@ TEST_F(FpgaTest, ReadsSwitchesAndPressedKeysAndCapturesTheRelease) {
         write(regmap::KEY_MASK, 4);
         delay = sc_core::SC_ZERO_TIME;
         wait(10, sc_core::SC_US);
-        now([this] { fpga.inputs().key_n = 0xf; });
+        now([this] { fabric.in.key_n = 0xf; });
         wait(1, sc_core::SC_US);
         EXPECT_EQ(read(regmap::KEY_EDGE), 4u);
-        EXPECT_EQ(fpga.fabric().irq(), 1u << (73 - 72));
+        EXPECT_EQ(fabric.interrupts(), 1u << (73 - 72));
     });
 }
 
@@ -226,7 +229,7 @@ TEST_F(FpgaTest, RunsOneClockForEvery40Nanoseconds) {
     run([this] {
         wait(10, sc_core::SC_MS);
         fpga.catch_up();
-        EXPECT_EQ(fpga.fabric().clocks(), 250'000u);
+        EXPECT_EQ(fabric.clocks(), 250'000u);
         EXPECT_EQ(pins.samples, 250'000u);
     });
 }
@@ -254,10 +257,13 @@ TEST_F(FpgaTest, GivesTheKeypadsPinsToAnEnabledScannerAlone) {
 class MappedMemory : public FpgaTest {
 protected:
     Pins other_pins;
-    sim::Fpga mapped{"mapped", other_pins, {}, sim::Fpga::Memory::MAPPED, other_pins.chip.bytes()};
+    sim::Fabric other_fabric{other_pins};
+    sim::FpgaChip other_fpga{"other_fpga", other_pins, other_fabric};
+    sim::FpgaBridges mapped{"mapped", other_fpga, sim::FpgaBridges::Bursts::LONG};
     Initiator other{"other"};
 
     void run_both(std::function<void()> body) {
+        other_fabric.set_memory(sim::Fabric::Memory::MAPPED, other_pins.chip.bytes());
         other.lw.bind(mapped.lw);
         other.h2f.bind(mapped.h2f);
         other.body = [] { sc_core::wait(sc_time(1000, sc_core::SC_SEC)); };  // it has no program

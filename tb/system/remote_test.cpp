@@ -49,9 +49,9 @@ TEST_F(Remote, InterruptsAsIrda) {
     power_on([&](hal::Mmio& io, hal::Cpu& cpu) {
         io.write(regmap::IRDA_CONTROL, regmap::IRDA_CONTROL_RE_MASK);
         idle_ms(cpu, 5);
-        before = computer->fpga.fabric().irq();
+        before = computer->fabric.interrupts();
         idle_ms(cpu, 10);  // more than 8.4 ms of light: 96 bytes
-        after = computer->fpga.fabric().irq();
+        after = computer->fabric.interrupts();
     });
     run_ms(5);
     board->remote_control.press(0);

@@ -112,7 +112,7 @@ constexpr DesignFacts FACTS{
 
 }  // namespace sim::project
 
-extern "C" __attribute__((visibility("default"))) sim::project::Model* de1sim_open_model(
+extern "C" __attribute__((visibility("default"))) sim::FpgaModel* de1sim_open_model(
     sim::PinListener& pins, const sim::project::ModelSettings& settings) {
     using namespace sim::project;
     return play(std::make_unique<VerilatedDesign>(), FACTS, pins, settings);

@@ -9,12 +9,12 @@
 #include <string>
 
 namespace sim {
+class FpgaModel;
 class PinListener;
-}
+}  // namespace sim
 
 namespace sim::project {
 
-class Model;
 struct ModelSettings;
 
 // The ports of de1sim_chip.v.
@@ -107,7 +107,7 @@ struct DesignFacts {
 };
 
 // The caller deletes it.
-Model* play(std::unique_ptr<Design> design, const DesignFacts& facts, PinListener& pins,
-            const ModelSettings& settings);
+FpgaModel* play(std::unique_ptr<Design> design, const DesignFacts& facts, PinListener& pins,
+                const ModelSettings& settings);
 
 }  // namespace sim::project

@@ -11,6 +11,8 @@
 
 namespace sim::project {
 
+using Ending = FpgaModel::Ending;
+
 // Thrown through the design's evaluation, which cannot be continued.
 class Diverged : public std::runtime_error {
     using std::runtime_error::runtime_error;

@@ -52,7 +52,7 @@ private:
 
 Clocks* clocks_of_design = nullptr;  // of the one that is evaluated
 
-class DesignModel final : public Model {
+class DesignModel final : public FpgaModel {
 public:
     DesignModel(std::unique_ptr<Design> design, const DesignFacts& facts, PinListener& pins,
                 const ModelSettings& settings)
@@ -82,7 +82,8 @@ public:
     }
 
     void run(std::uint64_t until_ps) override {
-        if (play(until_ps, false)) listener_.agenda.pass_to(until_ps);
+        const bool is_ahead = until_ps < now_ps();  // by an access
+        if (!is_ahead && play(until_ps, false)) listener_.agenda.pass_to(until_ps);
     }
 
     unsigned bridge_width(bool full) const override {
@@ -145,7 +146,7 @@ public:
         }
     }
 
-    const Ending& ending() const override { return ending_; }
+    Ending ending() const override { return ending_; }
 
     void end_trace() override {
         tracing_ = false;
@@ -162,7 +163,6 @@ private:
     }
 
     std::uint64_t now_ps() const { return now_fs_ / FS_PER_PS; }
-
     // Returns whether it has come to `until_ps`, not to the answer of an access before.
     bool play(std::uint64_t until_ps, bool to_answer) {
         until_fs_ = until_ps * FS_PER_PS;
@@ -231,7 +231,7 @@ private:
         if (listener_.agenda.next_ps() != agenda_ps_) look_ahead();
     }
 
-    // In an evaluation of its own, so that it counts from the next clock edge on.
+    // As move_processor().
     void apply_inputs() {
         look_ = false;
         top_.sw_i = in.sw;
@@ -485,8 +485,8 @@ private:
 
 }  // namespace
 
-Model* play(std::unique_ptr<Design> design, const DesignFacts& facts, PinListener& pins,
-            const ModelSettings& settings) {
+FpgaModel* play(std::unique_ptr<Design> design, const DesignFacts& facts, PinListener& pins,
+                const ModelSettings& settings) {
     return new DesignModel{std::move(design), facts, pins, settings};
 }
 

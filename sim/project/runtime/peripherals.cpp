@@ -95,7 +95,7 @@ using namespace sim::project;
 extern "C" int de1sim_hps_peripheral(int kind, int number, long long idle) {
     static constexpr unsigned COUNTS[] = {2, 4, 2, 2, 3, 1};  // by Peripheral::Kind
     const unsigned count = COUNTS[kind];
-    Peripheral which{static_cast<Peripheral::Kind>(kind), static_cast<unsigned>(number)};
+    sim::Peripheral which{static_cast<sim::Peripheral::Kind>(kind), static_cast<unsigned>(number)};
     if (number < 0) which.number = number_of(which.kind, count);
     if (signals_of(which))
         end_run(Ending::Kind::STOPPED,
