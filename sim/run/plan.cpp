@@ -10,7 +10,8 @@ namespace sim {
 
 namespace {
 
-constexpr unsigned DDR3_MB_PER_S = 3'200;  // of 32 bits at 400 MHz, both edges
+constexpr const char* COMPUTER_OF_OUR_OWN = "DE1-SoC";  // without --board
+constexpr unsigned DDR3_MB_PER_S = 3'200;               // of 32 bits at 400 MHz, both edges
 
 Scenario scenario_of(const RunDescription& run) {
     if (run.scenario.empty()) return {};
@@ -75,10 +76,10 @@ void refuse_other_chips_options(const ChipDescription& chip, bool has_project) {
 // The board whose computer the program runs on, by --board; nothing: the DE1-SoC.
 std::optional<project::BoardDescription> computer_of(const ChipDescription& chip,
                                                      RunPlan::Processor processor) {
-    constexpr const char *PRESET = "DE1-SoC", *WITHOUT_ARM = "DE10-Lite";
+    constexpr const char* WITHOUT_ARM = "DE10-Lite";
     const auto boards = project::all_boards();
     const auto board = project::board_named(boards, chip.project.board);
-    if (board.name == PRESET) return {};
+    if (board.name == COMPUTER_OF_OUR_OWN) return {};
     const std::string option = "--board " + board.name + ": ";
     if (board.computer.empty()) {
         std::vector<std::string> names;
@@ -161,11 +162,12 @@ RunPlan plan_run(RunDescription description) {
     const ChipDescription& planned = plan.description.chip;
     if (!has_project && !planned.project.board.empty())
         plan.computer_of = computer_of(planned, processor);
-    if (!has_project && !plan.computer_of) plan.scenario.board.lacks = {"HPS LCD"};
-    if (plan.computer_of)
-        set_board(plan, *plan.computer_of);
+    if (has_project)
+        check_scenario(plan.scenario);  // its board is known when it has been read
     else
-        check_scenario(plan.scenario);
+        set_board(plan, plan.computer_of
+                            ? *plan.computer_of
+                            : project::board_named(project::all_boards(), COMPUTER_OF_OUR_OWN));
     return plan;
 }
 

@@ -9,11 +9,8 @@ namespace sim {
 struct BoardParts {
     std::string name;             // "DE10-Lite"; empty: not known, and all is taken to be there
     std::set<std::string> wires;  // of the simulated chip: "KEY[1]", "GPIO_0[3]"; "HPS"
-    std::set<std::string> lacks = {};  // of the DE1-SoC, which has no name here: what it has not
 
-    bool has(const std::string& wire) const {
-        return name.empty() ? !lacks.count(wire) : wires.count(wire) > 0;
-    }
+    bool has(const std::string& wire) const { return name.empty() || wires.count(wire) > 0; }
 };
 
 }  // namespace sim

@@ -79,32 +79,48 @@ function samples(buffer, view) {
 const SEGMENTS = ["6,2 30,2 26,7 10,7", "31,4 31,29 26,27 26,9", "31,32 31,57 26,52 26,34",
     "6,59 30,59 26,54 10,54", "5,32 5,57 10,52 10,34", "5,4 5,29 10,27 10,9",
     "7,30 10,27 26,27 29,30 26,33 10,33"];
-for (let digit = 5; digit >= 0; --digit) {
-    const polygons = SEGMENTS.map((points) => `<polygon points="${points}"/>`).join("");
-    $("hex").insertAdjacentHTML("beforeend", `<svg viewBox="0 0 36 61" data-digit="${digit}" data-wire="HEX${digit}[0]">${polygons}<circle hidden data-wire="HEX${digit}[7]" cx="34" cy="57" r="2"/></svg>`);
+// Of more than the DE1-SoC has the message `board` tells; their wires, number 0 first.
+const numbered = (bus, count) => Array.from({length: count}, (_, n) => `${bus}[${n}]`);
+const plain = (wire) => wire.replace(/[[\]]/g, "");
+let leds = [];
+function makeDigits(count) {
+    if ($("hex").children.length === count) return;
+    $("hex").replaceChildren();
+    for (let digit = count - 1; digit >= 0; --digit) {
+        const polygons = SEGMENTS.map((points) => `<polygon points="${points}"/>`).join("");
+        $("hex").insertAdjacentHTML("beforeend", `<svg viewBox="0 0 36 61" data-digit="${digit}" data-wire="HEX${digit}[0]">${polygons}<circle hidden data-wire="HEX${digit}[7]" cx="34" cy="57" r="2"/></svg>`);
+    }
 }
-for (let n = 9; n >= 0; --n)
-    $("ledr").insertAdjacentHTML("beforeend", `<div class="lamp" id="ledr${n}" data-wire="LEDR[${n}]" title="LEDR${n}"></div>`);
+function makeLeds(wires) {
+    if (leds.length === wires.length) return;
+    leds = wires;
+    $("ledr").replaceChildren();
+    leds.forEach((wire, n) => $("ledr").insertAdjacentHTML("afterbegin", `<div class="lamp" id="ledr${n}" data-wire="${wire}" title="${plain(wire)}"></div>`));
+}
+makeDigits(6);
+makeLeds(numbered("LEDR", 10));
 
 function lamps({ledr, hex, hex_text, gpio}) {
     for (const svg of $("hex").children) {
         const lit = hex[svg.dataset.digit];
         [...svg.children].forEach((segment, n) => segment.classList.toggle("lit", lit >> n & 1));
     }
-    $("hex").setAttribute("aria-label", `HEX5 to HEX0: ${hex_text}`);
-    for (let n = 0; n < 10; ++n) $(`ledr${n}`).classList.toggle("lit", ledr >> n & 1);
-    $("ledr").setAttribute("aria-label", `LEDR9 to LEDR0: ${ledr.toString(2).padStart(10, "0")}`);
+    $("hex").setAttribute("aria-label", `HEX${hex_text.length - 1} to HEX0: ${hex_text}`);
+    leds.forEach((_, n) => $(`ledr${n}`).classList.toggle("lit", ledr >> n & 1));
+    const digits = ledr.toString(2).padStart(10, "0");
+    $("ledr").setAttribute("aria-label", `${plain(leds[digits.length - 1] ?? "")} to LEDR0: ${digits}`);
     gpio.forEach((header, which) => headerPins(which, BigInt(header.levels), BigInt(header.outputs)));
 }
 
-for (let which = 0; which < 2; ++which) {
+const HEADERS = [["GPIO_0", 36], ["GPIO_1", 36], ["ARDUINO_IO", 16]];
+HEADERS.forEach(([name, pins], which) => {
     let rows = "";
-    for (let pin = 0; pin < 36; ++pin)
+    for (let pin = 0; pin < pins; ++pin)
         rows += `${pin % 6 ? "" : "<tr>"}<td>${pin}<span class="lamp" id="gpio${which}_${pin}"></span></td>`;
-    $("headers").insertAdjacentHTML("beforeend", `<div data-wire="GPIO_${which}[0]"><p>GPIO_${which} (outputs bold)</p><table>${rows}</table></div>`);
-}
+    $("headers").insertAdjacentHTML("beforeend", `<div data-wire="${name}[0]"${name === "ARDUINO_IO" ? " hidden" : ""}><p>${name} (outputs bold)</p><table>${rows}</table></div>`);
+});
 function headerPins(which, levels, outputs) {
-    for (let pin = 0n; pin < 36n; ++pin) {
+    for (let pin = 0n; pin < HEADERS[which][1]; ++pin) {
         const lamp = $(`gpio${which}_${pin}`);
         lamp.classList.toggle("lit", Boolean(levels >> pin & 1n));
         lamp.parentElement.classList.toggle("out", Boolean(outputs >> pin & 1n));
@@ -119,8 +135,13 @@ for (const key of "123A456B789C0FED")
 for (let key = 3; key >= 0; --key)
     addButton($("keys"), `KEY${key}`, `KEY${key}`, held("key", key)).dataset.wire = `KEY[${key}]`;
 addButton($("keys"), "HPS_KEY", "HPS_KEY", held("key", "hps")).dataset.wire = "HPS";
-for (let n = 9; n >= 0; --n)
-    addSwitch($("switches"), `SW${n}`, held("switch", n)).dataset.wire = `SW[${n}]`;
+function makeSwitches(wires) {
+    if ($("switches").querySelectorAll("[data-wire]").length === wires.length) return;
+    $("switches").replaceChildren();
+    for (let n = wires.length - 1; n >= 0; --n)
+        addSwitch($("switches"), `SW${n}`, held("switch", n)).dataset.wire = wires[n];
+}
+makeSwitches(numbered("SW", 10));
 for (let channel = 0; channel < 8; ++channel) {
     $("voltages").insertAdjacentHTML("beforeend",
         `<p><label>CH${channel} <input type="range" min="0" max="4.095" step="0.005" value="0" data-channel="${channel}"></label> <output></output></p>`);
@@ -248,8 +269,11 @@ window.runFile = runFile;
 
 // ---- What arrives ----
 
-// Of a project's board.  What it has not is not shown.
-function board({name, wires}) {
+// What the board has not is not shown.
+function board({name, wires, digits, leds, switches}) {
+    makeDigits(digits);
+    makeLeds(leds);
+    makeSwitches(switches);
     const has = (wire) => wires.includes(wire);
     document.title = name;
     $("name").textContent = name;
