@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "de1_soc_board.h"
 #include "sim/project/settings.h"
 #include "sim/project/tools.h"
 #include "sim/text/lower.h"
@@ -95,8 +96,8 @@ class BoardReader {
 public:
     explicit BoardReader(fs::path file) : file_{std::move(file)} {}
 
-    BoardDescription run() {
-        std::istringstream lines{text_of(file_)};
+    BoardDescription run(const std::string& text) {
+        std::istringstream lines{text};
         for (std::string line; std::getline(lines, line);) {
             ++line_;
             if (!line.empty() && line[0] != '#') read(columns_of(line));
@@ -216,7 +217,9 @@ private:
 
 }  // namespace
 
-BoardDescription read_board(const fs::path& file) { return BoardReader{file}.run(); }
+BoardDescription read_board(const fs::path& file) { return BoardReader{file}.run(text_of(file)); }
+
+BoardDescription de1_soc() { return BoardReader{"de1_soc/board.tsv"}.run(DE1_SOC_BOARD); }
 
 std::vector<BoardDescription> all_boards() {
     std::vector<BoardDescription> boards;

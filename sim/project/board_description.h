@@ -61,6 +61,9 @@ struct BoardDescription {
 // ProjectError, with the line: it is no such file.
 BoardDescription read_board(const std::filesystem::path& file);
 
+// The DE1-SoC, whose description is in the program: needs no file.
+BoardDescription de1_soc();
+
 // All that are described, by name.
 std::vector<BoardDescription> all_boards();
 

@@ -10,8 +10,7 @@ namespace sim {
 
 namespace {
 
-constexpr const char* COMPUTER_OF_OUR_OWN = "DE1-SoC";  // without --board
-constexpr unsigned DDR3_MB_PER_S = 3'200;               // of 32 bits at 400 MHz, both edges
+constexpr unsigned DDR3_MB_PER_S = 3'200;  // of 32 bits at 400 MHz, both edges
 
 Scenario scenario_of(const RunDescription& run) {
     if (run.scenario.empty()) return {};
@@ -76,10 +75,10 @@ void refuse_other_chips_options(const ChipDescription& chip, bool has_project) {
 // The board whose computer the program runs on, by --board; nothing: the DE1-SoC.
 std::optional<project::BoardDescription> computer_of(const ChipDescription& chip,
                                                      RunPlan::Processor processor) {
-    constexpr const char* WITHOUT_ARM = "DE10-Lite";
+    constexpr const char *PRESET = "DE1-SoC", *WITHOUT_ARM = "DE10-Lite";
     const auto boards = project::all_boards();
     const auto board = project::board_named(boards, chip.project.board);
-    if (board.name == COMPUTER_OF_OUR_OWN) return {};
+    if (board.name == PRESET) return {};
     const std::string option = "--board " + board.name + ": ";
     if (board.computer.empty()) {
         std::vector<std::string> names;
@@ -165,9 +164,7 @@ RunPlan plan_run(RunDescription description) {
     if (has_project)
         check_scenario(plan.scenario);  // its board is known when it has been read
     else
-        set_board(plan, plan.computer_of
-                            ? *plan.computer_of
-                            : project::board_named(project::all_boards(), COMPUTER_OF_OUR_OWN));
+        set_board(plan, plan.computer_of ? *plan.computer_of : project::de1_soc());
     return plan;
 }
 

@@ -53,6 +53,13 @@ TEST(Boards, HaveAWireForEachSignalThatIsSimulated) {
     EXPECT_FALSE(of("de10_nano").has_wire("HEX0[0]"));
 }
 
+TEST(Boards, HaveTheDe1SocInTheProgramAsItsFileIs) {
+    const auto own = de1_soc(), read = of("de1_soc");
+    EXPECT_EQ(own.name, read.name);
+    EXPECT_EQ(own.on_i2c, read.on_i2c);
+    EXPECT_EQ(own.signals_by_pin(), read.signals_by_pin());
+}
+
 TEST(Boards, RefuseAFileWithItsLine) {
     const std::string head = "board\tB\ndevice\tD\n";
     EXPECT_THAT(refusal("board\tB\n"), HasSubstr("expected a line \"device\", got none"));
