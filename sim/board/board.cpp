@@ -8,7 +8,6 @@ namespace sim {
 
 namespace {
 
-constexpr std::uint64_t ALL_SEGMENTS = (std::uint64_t{1} << 42) - 1;  // without points
 // Bits of hold() and release().
 constexpr unsigned ALL_KEYS = 0x0F, HPS_KEY = 0x10;
 
@@ -31,6 +30,7 @@ Board::Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::
       has_decoder_{shape.on_i2c.count("ADV7180") > 0},
       has_hdmi_{shape.on_i2c.count("ADV7513") > 0},
       hears_gsensor_{shape.hears_gsensor},
+      has_arduino_{shape.has_arduino},
       monitor{[&observer](const Monitor::Frame& frame) { observer.frame(frame); }, vga,
               [&observer, vga](const std::string& line) {
                   if (vga == Monitor::Strictness::TOLERANT) observer.log("monitor: " + line);
@@ -43,8 +43,7 @@ Board::Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::
       video_decoder{
           [&observer](const std::string& line) { observer.log("video decoder: " + line); }},
       keypad{agenda, seed, [this] { headers_moved(); }},
-      switches{agenda, seed,
-               [this] { chip_->inputs().sw = static_cast<std::uint16_t>(switches.closed()); }},
+      switches{agenda, seed, [this] { chip_->inputs().sw = switches.closed(); }},
       ps2_keyboard{agenda, [this] { ps2_wires(chip_->inputs()); }},
       ps2_mouse{agenda, [this] { ps2_wires(chip_->inputs()); }},
       usb{agenda, usb_plugs},
@@ -162,7 +161,7 @@ void Board::headers(const HeaderPins& pins, std::uint64_t time_ps, ChipInputs& i
 void Board::header_wires(ChipInputs& in, std::uint64_t time_ps) {
     in.gpio = wires.settle();
     parts.look(in.gpio, time_ps);
-    for (unsigned n = 0; n < 2; ++n) lamps_.gpio[n] = {in.gpio[n], wires.outputs(n)};
+    for (unsigned n = 0; n < HEADERS; ++n) lamps_.gpio[n] = {in.gpio[n], wires.outputs(n)};
     observer_.lamps(lamps_, seconds(time_ps));
 }
 
@@ -178,30 +177,36 @@ void Board::drive_pins(const HeaderMasks& pins, PinLevel level) {
 // ---- Lamps ----
 
 void Board::lamps(const LampPins& pins, std::uint64_t time_ps) {
-    constexpr std::uint64_t BOTH = (std::uint64_t{1} << HPS_LED_BIT) - 1;
-    light(pins.ledr | (pins.hex_n ^ ALL_SEGMENTS) << HEX_LSB, BOTH, time_ps);
-}
-
-void Board::hps_led(bool lit, std::uint64_t time_ps) {
-    light(std::uint64_t{lit} << HPS_LED_BIT, std::uint64_t{1} << HPS_LED_BIT, time_ps);
-}
-
-void Board::light(std::uint64_t lit, std::uint64_t mask, std::uint64_t time_ps) {
     eyes_.pass(time_ps);
-    for (std::uint64_t moved = (lit ^ lit_) & mask; moved; moved &= moved - 1) {
-        const auto lamp = static_cast<unsigned>(__builtin_ctzll(moved));
-        eyes_.light(lamp, lit >> lamp & 1);
-    }
-    lit_ = (lit_ & ~mask) | (lit & mask);
+    light(0, pins.ledr, lit_.leds);
+    light(HEX_FIRST, pins.hex_n ^ ALL_SEGMENTS, lit_.hex);
     eyes_.show();
 }
 
+void Board::hps_led(bool lit, std::uint64_t time_ps) {
+    eyes_.pass(time_ps);
+    light(HPS_LED_NUMBER, lit, lit_.hps_led);
+    eyes_.show();
+}
+
+// Those from number `first` on.
+void Board::light(unsigned first, std::uint64_t lit, std::uint64_t& was) {
+    for (std::uint64_t moved = lit ^ was; moved; moved &= moved - 1) {
+        const auto lamp = static_cast<unsigned>(__builtin_ctzll(moved));
+        eyes_.light(first + lamp, lit >> lamp & 1);
+    }
+    was = lit;
+}
+
 void Board::see(std::uint64_t time_ps) {
-    std::uint64_t seen = 0;
-    for (unsigned lamp = 0; lamp < LAMPS; ++lamp) seen |= std::uint64_t{eyes_.seen(lamp)} << lamp;
-    lamps_.ledr = static_cast<std::uint16_t>(seen & 0x3ff);
-    lamps_.hex = seen >> HEX_LSB & ((std::uint64_t{1} << (HPS_LED_BIT - HEX_LSB)) - 1);
-    lamps_.hps_led = seen >> HPS_LED_BIT;
+    const auto seen = [this](unsigned first, unsigned count) {
+        std::uint64_t lit = 0;
+        for (unsigned n = 0; n < count; ++n) lit |= std::uint64_t{eyes_.seen(first + n)} << n;
+        return lit;
+    };
+    lamps_.ledr = static_cast<std::uint32_t>(seen(0, LEDS));
+    lamps_.hex = seen(HEX_FIRST, 8 * DIGITS);
+    lamps_.hps_led = eyes_.seen(HPS_LED_NUMBER);
     observer_.lamps(lamps_, seconds(time_ps));
 }
 
@@ -261,7 +266,7 @@ BouncingContacts::Bounce bounce_now(std::uint64_t within_ps) {
 
 }  // namespace
 
-void Board::hold(std::uint16_t keys16, std::uint8_t keys, std::uint16_t slid,
+void Board::hold(std::uint16_t keys16, std::uint8_t keys, std::uint32_t slid,
                  std::uint64_t bounce_ps) {
     act([this, keys16, keys, slid, bounce = bounce_now(bounce_ps)] {
         if (keys16) keypad.press(keys16);
@@ -272,7 +277,7 @@ void Board::hold(std::uint16_t keys16, std::uint8_t keys, std::uint16_t slid,
     if (keys & HPS_KEY) chip_->hps_key(true);
 }
 
-void Board::release(std::uint16_t keys16, std::uint8_t keys, std::uint16_t slid,
+void Board::release(std::uint16_t keys16, std::uint8_t keys, std::uint32_t slid,
                     std::uint64_t bounce_ps) {
     act([this, keys16, keys, slid, bounce = bounce_now(bounce_ps)] {
         if (keys16) keypad.release(keys16);

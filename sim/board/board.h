@@ -63,10 +63,12 @@ struct BoardShape {
     bool has_blank = true;                              // BLANK_N, of the monitor
     bool hears_gsensor = false;  // INT1 of an accelerometer on pins of the FPGA is wired, too
     bool has_lcd = false;        // on pins of the HPS
+    bool has_arduino = false;    // the Arduino header
 };
 
 class Board : public sc_core::sc_module, private PinListener {
-    static constexpr unsigned HEX_LSB = 10, HPS_LED_BIT = 58, LAMPS = 59;
+    // Lamps by number: LEDs, segments, points, HPS_LED.
+    static constexpr unsigned HEX_FIRST = LEDS, HPS_LED_NUMBER = HEX_FIRST + 8 * DIGITS;
 
 public:
     // `seed` of the bounce of contacts: the keypad's and the switches'.
@@ -80,11 +82,11 @@ public:
     void act(Agenda::Action action);
 
     // Hands on the board: masks of keypad keys (4 * row + column), HPS_KEY and KEY3-0, and
-    // SW9-0, which bounce once or twice within a time; those that are moved at time 0 stand so
+    // SWs, which bounce once or twice within a time; those that are moved at time 0 stand so
     // before power comes.
-    void hold(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches,
+    void hold(std::uint16_t keypad, std::uint8_t keys, std::uint32_t switches,
               std::uint64_t bounce_ps = 0);
-    void release(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches,
+    void release(std::uint16_t keypad, std::uint8_t keys, std::uint32_t switches,
                  std::uint64_t bounce_ps = 0);
 
     // Drives pins of the headers by hand.
@@ -106,6 +108,8 @@ public:
     // Tells the observer of those that are seen otherwise since they do not flash any more, as of
     // where the chip is.
     void settle_lamps();
+
+    bool has_arduino() const { return has_arduino_; }  // the Arduino header
 
     Chip& chip() { return *chip_; }
 
@@ -132,18 +136,20 @@ private:
     void header_wires(ChipInputs& in, std::uint64_t time_ps);
     void headers_moved();
     void ps2_wires(ChipInputs& in) const;
-    void light(std::uint64_t lit, std::uint64_t mask, std::uint64_t time_ps);
+    void light(unsigned first, std::uint64_t lit, std::uint64_t& was);
     void see(std::uint64_t time_ps);
     void hear(const StereoSample& sample, double rate_hz);
 
     BoardObserver& observer_;
     std::function<void(const std::string&)> typed_ = [](const std::string&) {};
     Lamps lamps_;
-    std::uint64_t lit_ = 0;  // LEDR in 9:0, HEX above, HPS_LED
-    LampBank eyes_{LAMPS, [this](std::uint64_t time_ps) { see(time_ps); }};
+    struct {
+        std::uint64_t leds = 0, hex = 0, hps_led = 0;
+    } lit_;
+    LampBank eyes_{HPS_LED_NUMBER + 1, [this](std::uint64_t time_ps) { see(time_ps); }};
     unsigned ps2_clk_low_ = 0, ps2_dat_low_ = 0;  // by the FPGA
     std::array<Ps2Device*, 2> ps2_{};             // in each port; may be none
-    const bool has_codec_, has_decoder_, has_hdmi_, hears_gsensor_;
+    const bool has_codec_, has_decoder_, has_hdmi_, hears_gsensor_, has_arduino_;
     bool warned_ = false;  // that nothing may be seen
     double rate_hz_ = 0;   // of the samples given to the observer so far
 

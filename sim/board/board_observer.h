@@ -7,23 +7,22 @@
 
 #include "sim/board/monitor.h"
 #include "sim/pins/chip.h"
-#include "sim/pins/header_bits.h"
+#include "sim/pins/pins.h"
 
 namespace sim {
 
 // What can be seen without a monitor.
 struct Lamps {
     struct Header {
-        std::uint64_t levels, outputs;  // bit n is GPIO_x[n]
+        std::uint64_t levels = ALL_HEADER_PINS, outputs = 0;  // bit n is GPIO_x[n]
         bool operator==(const Header& o) const {
             return levels == o.levels && outputs == o.outputs;
         }
     };
-    std::uint16_t ledr = 0;
-    // Segments that are lit, HEX5's in 41:35 ... HEX0's in 6:0, and points in 47:42.
-    std::uint64_t hex = 0;
+    std::uint32_t ledr = 0;
+    std::uint64_t hex = 0;  // segments and points as in LampPins, 1 = lit
     bool hps_led = false;
-    std::array<Header, 2> gpio{{{ALL_HEADER_PINS, 0}, {ALL_HEADER_PINS, 0}}};
+    std::array<Header, HEADERS> gpio{};
 };
 
 class BoardObserver : public ChipObserver {

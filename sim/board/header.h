@@ -1,4 +1,4 @@
-// header.h - the 36 wires of GPIO_0 or GPIO_1: driven by the FPGA, by hand, by the parts that are
+// header.h - the at most 36 wires of a header: driven by the FPGA, by hand, by the parts that are
 // plugged in, and by pull-ups.
 //
 // A wire without a driver is high.  One that is driven high and low at once is low here, and is

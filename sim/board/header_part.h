@@ -13,7 +13,7 @@ namespace sim {
 
 class HeaderPart : public Part {
 public:
-    // The wires of both headers have these levels from now on.  Called at each change of any wire.
+    // The wires of the headers have these levels from now on.  Called at each change of any wire.
     virtual void look(const HeaderMasks& levels, std::uint64_t time_ps) {
         (void)levels, (void)time_ps;
     }

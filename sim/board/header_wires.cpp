@@ -21,19 +21,19 @@ HeaderWires::HeaderWires(Join keypad, const HeaderPinList& keypad_pins,
     : keypad_{std::move(keypad)}, keypad_pins_{d0_first(keypad_pins)}, log_{std::move(log)} {}
 
 void HeaderWires::fpga(const HeaderPins& pins) {
-    for (unsigned n = 0; n < 2; ++n) headers_[n].fpga(pins.levels[n], pins.enable[n]);
+    for (unsigned n = 0; n < HEADERS; ++n) headers_[n].fpga(pins.levels[n], pins.enable[n]);
 }
 
 void HeaderWires::hand(const HeaderMasks& pins, PinLevel level) {
-    for (unsigned n = 0; n < 2; ++n) headers_[n].hand(pins[n], level);
+    for (unsigned n = 0; n < HEADERS; ++n) headers_[n].hand(pins[n], level);
 }
 
 void HeaderWires::part(const HeaderMasks& pins, PinLevel level) {
-    for (unsigned n = 0; n < 2; ++n) headers_[n].part(pins[n], level);
+    for (unsigned n = 0; n < HEADERS; ++n) headers_[n].part(pins[n], level);
 }
 
 const HeaderMasks& HeaderWires::settle() {
-    for (unsigned n = 0; n < 2; ++n) {
+    for (unsigned n = 0; n < HEADERS; ++n) {
         levels_[n] = headers_[n].levels();
         const std::uint64_t conflicts = headers_[n].conflicts() & ~reported_[n];
         if (conflicts) report_conflicts(n, conflicts);
@@ -43,7 +43,8 @@ const HeaderMasks& HeaderWires::settle() {
 }
 
 void HeaderWires::join() {
-    const HeaderMasks driven{headers_[0].driven(), headers_[1].driven()};
+    HeaderMasks driven{};
+    for (unsigned n = 0; n < HEADERS; ++n) driven[n] = headers_[n].driven();
     const std::uint8_t joined = keypad_(static_cast<std::uint8_t>(gathered(levels_, keypad_pins_)),
                                         static_cast<std::uint8_t>(gathered(driven, keypad_pins_)));
     for (unsigned n = 0; n < keypad_pins_.size(); ++n)

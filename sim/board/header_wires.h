@@ -1,4 +1,4 @@
-// header_wires.h - the wires of both headers, joined by the keypad where it hangs on them
+// header_wires.h - the wires of the headers, joined by the keypad where it hangs on them
 //
 // A wire on which two drivers disagree is reported once.
 //
@@ -37,11 +37,11 @@ private:
     void join();
     void report_conflicts(unsigned header, std::uint64_t conflicts);
 
-    std::array<Header, 2> headers_;
+    std::array<Header, HEADERS> headers_;
     const Join keypad_;
     const HeaderPinList keypad_pins_;
     const std::function<void(const std::string&)> log_;
-    HeaderMasks levels_{ALL_HEADER_PINS, ALL_HEADER_PINS};
+    HeaderMasks levels_ = all_header_pins();
     HeaderMasks reported_{};
 };
 

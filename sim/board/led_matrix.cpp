@@ -13,7 +13,7 @@ constexpr double DARK = 0.005;
 HeaderMasks both(const HeaderPinList& some, const HeaderPinList& others) {
     HeaderMasks mask = mask_of(some);
     const HeaderMasks more = mask_of(others);
-    for (unsigned n = 0; n < 2; ++n) mask[n] |= more[n];
+    for (unsigned n = 0; n < HEADERS; ++n) mask[n] |= more[n];
     return mask;
 }
 
@@ -35,7 +35,8 @@ std::uint64_t LedMatrix::shown_rows(const HeaderMasks& levels) const {
 }
 
 void LedMatrix::look(const HeaderMasks& levels, std::uint64_t time_ps) {
-    const HeaderMasks now_here{levels[0] & wires_[0], levels[1] & wires_[1]};
+    HeaderMasks now_here = levels;
+    for (unsigned n = 0; n < HEADERS; ++n) now_here[n] &= wires_[n];
     if (looked_ && now_here == levels_here_) return;
     looked_ = true;
     levels_here_ = now_here;

@@ -2,12 +2,14 @@
 
 #include <utility>
 
+#include "sim/pins/header_pin.h"
+
 namespace sim {
 
 namespace {
 
 constexpr std::uint32_t UPPER_HALVES = ~std::uint32_t{0x0F0F0F};  // the upper half of each colour
-constexpr std::uint64_t ARDUINO = 0xFFFF;
+constexpr unsigned ARDUINO = header_of(ChipWire::ARDUINO_IO);
 
 }  // namespace
 
@@ -34,7 +36,12 @@ void De10LitePins::connect(ChipInputs& inputs, std::function<void()> moved) {
 }
 
 HeaderPins De10LitePins::with_arduino() const {
-    return {{fabric_.levels[0], levels_}, {fabric_.enable[0], enable_}};
+    HeaderPins pins{};
+    pins.levels[0] = fabric_.levels[0];
+    pins.enable[0] = fabric_.enable[0];
+    pins.levels[ARDUINO] = levels_;
+    pins.enable[ARDUINO] = enable_;
+    return pins;
 }
 
 void De10LitePins::drive_arduino(std::uint16_t levels, std::uint16_t enable) {
@@ -45,7 +52,7 @@ void De10LitePins::drive_arduino(std::uint16_t levels, std::uint16_t enable) {
 }
 
 std::uint16_t De10LitePins::arduino() const {
-    return static_cast<std::uint16_t>(inputs_->gpio[1] & ARDUINO);
+    return static_cast<std::uint16_t>(inputs_->gpio[ARDUINO] & pins_of(ChipWire::ARDUINO_IO));
 }
 
 bool De10LitePins::drive_gsensor(const GsensorPins& pins, std::uint64_t time_ps) {

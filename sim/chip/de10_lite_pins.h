@@ -2,8 +2,8 @@
 //
 //   fabric --- De10LitePins --- board
 //
-// VGA has 4 bits a colour.  GPIO_1's pins 15 to 0 are the Arduino header, which a block of its own
-// drives, not the fabric's JP2.  Nothing hangs on I2C, and there are no PS/2 ports and no converter
+// VGA has 4 bits a colour.  There is no JP2; the Arduino header, ARDUINO_IO, is driven by a block
+// of its own.  Nothing hangs on I2C, and there are no PS/2 ports and no converter
 // on pins.
 //
 // The board enters what it does into its own agenda; here is an entry for the next of them.

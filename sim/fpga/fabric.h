@@ -161,7 +161,7 @@ private:
     struct HeaderBits {
         std::uint32_t jp1, jp1_oe, jp2, jp2_oe;
     } headers_was_{0, 0, 0, 0};
-    LampPins lamps_was_{0, (std::uint64_t{1} << 42) - 1};
+    LampPins lamps_was_;
     unsigned ps2_was_ = 0;
 };
 

@@ -4,9 +4,19 @@
 
 namespace sim {
 
+namespace {
+
+// As LampPins has it; the fabric has six digits.
+std::uint64_t of_all_digits(std::uint64_t hex_n) {
+    constexpr std::uint64_t SEGMENTS = (std::uint64_t{1} << 42) - 1;
+    return (hex_n & SEGMENTS) | (ALL_SEGMENTS & ~SEGMENTS) | hex_n >> 42 << 7 * DIGITS;
+}
+
+}  // namespace
+
 void Fabric::apply_inputs() {
     Vfpga& top = model_->top;
-    top.sw_i = in.sw;
+    top.sw_i = static_cast<std::uint16_t>(in.sw & 0x3ff);
     top.key_ni = in.key_n;
     top.jp1_i = bits_of_pins(in.gpio[0]);
     top.jp2_i = bits_of_pins(in.gpio[1]);
@@ -47,9 +57,10 @@ void Fabric::notify_pins() {
                        {pins_of_bits(was.jp1_oe), pins_of_bits(was.jp2_oe)}},
                       time_ps(), in);
     }
-    const bool lamps_moved = top.ledr_o != lamps_was_.ledr || top.hex_no != lamps_was_.hex_n;
+    const LampPins lamps{top.ledr_o, of_all_digits(top.hex_no)};
+    const bool lamps_moved = lamps.ledr != lamps_was_.ledr || lamps.hex_n != lamps_was_.hex_n;
     if (lamps_moved && !top.rst_i) {  // before, they are of a model that has not begun
-        lamps_was_ = {top.ledr_o, top.hex_no};
+        lamps_was_ = lamps;
         pins_.lamps(lamps_was_, time_ps());
     }
     const std::uint32_t adc =

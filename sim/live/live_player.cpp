@@ -24,6 +24,20 @@ constexpr int MOST_LEVELS = 16;  // of a message; thousands would need more stac
 constexpr auto STATUS_PERIOD = std::chrono::milliseconds{250};
 constexpr double MOST_BEHIND_S = 0.1;  // which is made up for; what is more is given up
 
+// For the page: what it shows of all that there can be.
+nlohmann::json as_json(const BoardParts& board) {
+    nlohmann::json leds = nlohmann::json::array(), switches = nlohmann::json::array();
+    for (unsigned n = 0; n < LEDS; ++n) leds.push_back(wire_of(WireGroup::LAMPS, n));
+    for (unsigned n = 0; n < SWITCHES; ++n) switches.push_back(wire_of(WireGroup::SWITCHES, n));
+    return {{"board",
+             {{"name", board.name},
+              {"wires", board.wires},
+              {"names", board.names},
+              {"digits", DIGITS},
+              {"leds", leds},
+              {"switches", switches}}}};
+}
+
 double wall_seconds(std::chrono::steady_clock::duration d) {
     return std::chrono::duration<double>(d).count();
 }
@@ -64,12 +78,7 @@ LivePlayer::LivePlayer(const sc_core::sc_module_name& name, ScenarioRunner& runn
 }
 
 void LivePlayer::run() {
-    if (const BoardParts& board = scenario_.board; !board.name.empty())
-        wire_.send(
-            Kind::TEXT,
-            nlohmann::json{
-                {"board", {{"name", board.name}, {"wires", board.wires}, {"names", board.names}}}}
-                .dump());
+    wire_.send(Kind::TEXT, as_json(scenario_.board).dump());
     set_pace(1, false);
     wait(between_clocks);
     handle_messages();  // that time stands from the beginning

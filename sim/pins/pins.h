@@ -16,6 +16,7 @@
 #include <cstdint>
 
 #include "sim/pins/agenda.h"
+#include "sim/pins/chip_wires.h"
 #include "sim/pins/header_bits.h"
 
 namespace sim {
@@ -38,8 +39,16 @@ struct CodecClocks {
     std::uint64_t bclk_half_fs = 0;  // from one edge of BCLK to the next; 0: it stands still
 };
 
-// Of both headers: bit n of [0] is GPIO_0[n], of [1] GPIO_1[n].
-using HeaderMasks = std::array<std::uint64_t, 2>;
+// Of the headers in the table's order: bit n of [0] is GPIO_0[n], of [1] GPIO_1[n], of [2]
+// ARDUINO_IO[n].
+constexpr unsigned HEADERS = names_of(WireGroup::HEADERS);
+using HeaderMasks = std::array<std::uint64_t, HEADERS>;
+
+constexpr HeaderMasks all_header_pins() {
+    HeaderMasks all{};
+    for (unsigned n = 0; n < HEADERS; ++n) all[n] = ALL_HEADER_PINS;
+    return all;
+}
 
 struct HeaderPins {
     HeaderMasks levels, enable;  // levels driven, and where they are driven
@@ -54,9 +63,16 @@ struct SdramPins {
     bool cke = true;
 };
 
+constexpr unsigned SWITCHES = wires_of(WireGroup::SWITCHES), LEDS = wires_of(WireGroup::LAMPS),
+                   DIGITS = names_of(WireGroup::DIGITS);
+static_assert(SWITCHES <= 32 && LEDS <= 32 && DIGITS <= 8);
+constexpr std::uint64_t ALL_SEGMENTS = (std::uint64_t{1} << 7 * DIGITS) - 1;  // without points
+
 struct LampPins {
-    std::uint16_t ledr;
-    std::uint64_t hex_n;  // HEX5 in 41:35 ... HEX0 in 6:0, 0 = lit; their points, 1 = lit, in 47:42
+    std::uint32_t ledr = 0;  // all LEDs in the table's order
+    // HEX0 in 6:0, HEX1 in 13:7 and so on, 0 = lit; their points in the bits from 7 * DIGITS on,
+    // 1 = lit.
+    std::uint64_t hex_n = ALL_SEGMENTS;
 };
 
 struct AdcPins {
@@ -69,9 +85,9 @@ struct GsensorPins {
 };
 
 struct ChipInputs {
-    std::uint16_t sw = 0;
+    std::uint32_t sw = 0;
     std::uint8_t key_n = 0xf;
-    HeaderMasks gpio{ALL_HEADER_PINS, ALL_HEADER_PINS};
+    HeaderMasks gpio = all_header_pins();
     bool adcdat = false, sdat = true, adc_sdo = false, irda_rxd = true;
     bool gsensor_sdi = true, gsensor_sdo = true;  // as far as the sensor pulls
     CodecClocks codec;

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/pins/header_pin.h"
+
 namespace sim::project {
 
 namespace {
@@ -26,15 +28,21 @@ std::string by_name(const Port& port, int bit, const BoardDescription& board) {
                : "";
 }
 
-bool is_colour(const std::string& wire) {
-    return wire.compare(0, 6, "VGA_R[") == 0 || wire.compare(0, 6, "VGA_G[") == 0 ||
-           wire.compare(0, 6, "VGA_B[") == 0;
+// Of "VGA_R[3]"; null: it is no wire of the chip.
+const ChipWires* wires_of(const std::string& wire) {
+    return chip_wires_named(std::string_view{wire}.substr(0, wire.find('[')));
+}
+
+bool is_of(WireGroup group, const std::string& wire) {
+    const ChipWires* const wires = wires_of(wire);
+    return wires && wires->group == group;
 }
 
 // What to add to a bit of a colour so that the uppermost of `width` is the board's uppermost.
 int colour_shift(const Port& port, int width, const BoardDescription& board) {
     const BoardSignal* const signal = board.signal(port.name);
-    if (!signal || !is_colour(signal->wires.front()) || signal->width() > 8) return 0;
+    if (!signal || !is_of(WireGroup::COLOURS, signal->wires.front()) || signal->width() > 8)
+        return 0;
     return static_cast<int>(signal->width()) - width;
 }
 
@@ -75,17 +83,6 @@ void name_signals(std::vector<std::string>& signals, const Port& port, const Pin
     }
 }
 
-bool is_header(const std::string& wire) { return wire.compare(0, 5, "GPIO_") == 0; }
-
-// What an output is where nothing drives it: lamps dark, chips not selected.  (Quartus pulls pins
-// that are not used up, which counts for DRAM_CKE alone.)
-bool idle_level(const std::string& wire) {
-    const std::string name = wire.substr(0, wire.find('['));
-    return name.compare(0, 3, "HEX") == 0 || name == "VGA_HS" || name == "VGA_VS" ||
-           name == "DRAM_CKE" ||
-           (name.size() > 2 && name.compare(name.size() - 2, 2, "_N") == 0 && name != "VGA_SYNC_N");
-}
-
 bool is_low_active(const std::string& port) {
     const std::string name = port.size() > 2 ? port.substr(port.size() - 2) : "";
     return name == "_n" || name == "_N";
@@ -93,7 +90,7 @@ bool is_low_active(const std::string& port) {
 
 // Verilator takes a header for driven as a whole as soon as one of its pins is driven always.
 std::string driver_text(const std::string& wire, const std::string& value) {
-    return is_header(wire) ? "$c1(\"1\") ? " + value + " : 1'bz" : value;
+    return is_of(WireGroup::HEADERS, wire) ? "$c1(\"1\") ? " + value + " : 1'bz" : value;
 }
 
 // Of a colour with fewer bits than the chip's 8 the others repeat them, so that the brightest is
@@ -146,15 +143,15 @@ Binding bind(const std::vector<Port>& ports, const Locations& locations,
             any = any || !name.empty();
             any_wire = any_wire || !wire.empty();
             if (!name.empty() && signal->period_fs) binding.clocks.emplace(signal->name, 0);
-            if (wire.compare(0, 4, "VGA_") == 0) binding.has_vga = true;
+            if (is_of(WireGroup::MONITOR, wire) || is_of(WireGroup::COLOURS, wire))
+                binding.has_vga = true;
             if (wire == "TD_CLK27") binding.has_td_clk = true;
             if (wire == "AUD_XCK" && port.direction != Direction::INPUT) binding.has_xck = true;
-            if (port.direction == Direction::OUTPUT &&
-                (wire == "AUD_BCLK" || wire == "AUD_DACLRCK" || wire == "AUD_ADCLRCK"))
+            if (port.direction == Direction::OUTPUT && is_of(WireGroup::CODEC, wire) &&
+                wires_of(wire)->direction == Direction::INOUT)
                 binding.drives_codec_clocks = true;
-            if (port.direction == Direction::OUTPUT && is_header(wire))
-                binding.header_outputs[wire[5] - '0'] |= std::uint64_t{1}
-                                                         << std::stoi(wire.substr(7));
+            if (const auto pin = header_pin(wire); pin && port.direction == Direction::OUTPUT)
+                add(binding.header_outputs, *pin);
             bound.bits.push_back({wire, std::move(name)});
         }
         if (any && !any_wire) passed_over += (passed_over.empty() ? "" : ", ") + port.name;
@@ -218,11 +215,12 @@ std::string design_text(const Binding& binding, const std::string& top,
         assigns += fmt::format("    assign {} = {};\n", wire, by);
         driven.insert(wire);
     }
-    for (const ChipWires& group : chip_wires()) {
-        if (group.direction != Direction::OUTPUT) continue;
-        for (unsigned i = 0; i < group.width; ++i)
-            if (const std::string wire = group.wire(i); !driven.count(wire))
-                assigns += fmt::format("    assign {} = 1'b{:d};\n", wire, idle_level(wire));
+    for (const ChipWires& own : CHIP_WIRES) {
+        if (own.direction != Direction::OUTPUT) continue;
+        for (unsigned i = 0; i < own.width; ++i)
+            if (const std::string wire = own.wire(i); !driven.count(wire))
+                assigns += fmt::format("    assign {} = 1'b{};\n", wire,
+                                       own.level == ChipWires::HIGH ? 1 : 0);
     }
     return fmt::format(
         "// Written by de1sim for the top module {}.\n{}    {}{} de1sim_design (\n{}\n    );\n{}",

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/pins/pins.h"
 #include "sim/project/board_description.h"
 #include "sim/project/elaborated.h"
 
@@ -23,8 +24,8 @@ struct Binding {
     std::vector<BoundPort> ports;
     std::vector<std::string> notes;  // what fits nowhere, and what was assumed
     bool has_vga = false, has_td_clk = false, has_xck = false;
-    bool drives_codec_clocks = false;          // an output is on BCLK or an LRCK of the codec
-    std::uint64_t header_outputs[2] = {0, 0};  // pins of GPIO_0 and GPIO_1 that it always drives
+    bool drives_codec_clocks = false;  // an output is on BCLK or an LRCK of the codec
+    HeaderMasks header_outputs{};      // pins of the headers that it always drives
     // Wires of the chip that the board connects with others, and by what they are driven.
     std::map<std::string, std::string> connected;
     // Clocks of the board that are none of the chip's wires, "ADC_CLK_10", and their numbers in

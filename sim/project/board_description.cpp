@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "de1_soc_board.h"
 #include "sim/project/settings.h"
 #include "sim/project/tools.h"
 #include "sim/text/lower.h"
@@ -15,47 +16,6 @@
 namespace sim::project {
 
 namespace fs = std::filesystem;
-
-const std::vector<ChipWires>& chip_wires() {
-    using D = Direction;
-    static const std::vector<ChipWires> wires{
-        {"CLOCK_50", 1, D::INPUT, true},       {"CLOCK2_50", 1, D::INPUT, true},
-        {"CLOCK3_50", 1, D::INPUT, true},      {"CLOCK4_50", 1, D::INPUT, true},
-        {"KEY", 4, D::INPUT, false},           {"SW", 10, D::INPUT, false},
-        {"LEDR", 10, D::OUTPUT, false},        {"HEX0", 8, D::OUTPUT, false},
-        {"HEX1", 8, D::OUTPUT, false},         {"HEX2", 8, D::OUTPUT, false},
-        {"HEX3", 8, D::OUTPUT, false},         {"HEX4", 8, D::OUTPUT, false},
-        {"HEX5", 8, D::OUTPUT, false},         {"GPIO_0", 36, D::INOUT, false},
-        {"GPIO_1", 36, D::INOUT, false},       {"VGA_CLK", 1, D::OUTPUT, true},
-        {"VGA_HS", 1, D::OUTPUT, true},        {"VGA_VS", 1, D::OUTPUT, true},
-        {"VGA_BLANK_N", 1, D::OUTPUT, true},   {"VGA_SYNC_N", 1, D::OUTPUT, true},
-        {"VGA_R", 8, D::OUTPUT, false},        {"VGA_G", 8, D::OUTPUT, false},
-        {"VGA_B", 8, D::OUTPUT, false},        {"DRAM_CLK", 1, D::OUTPUT, true},
-        {"DRAM_CKE", 1, D::OUTPUT, true},      {"DRAM_CS_N", 1, D::OUTPUT, true},
-        {"DRAM_RAS_N", 1, D::OUTPUT, true},    {"DRAM_CAS_N", 1, D::OUTPUT, true},
-        {"DRAM_WE_N", 1, D::OUTPUT, true},     {"DRAM_BA", 2, D::OUTPUT, false},
-        {"DRAM_ADDR", 13, D::OUTPUT, false},   {"DRAM_LDQM", 1, D::OUTPUT, true},
-        {"DRAM_UDQM", 1, D::OUTPUT, true},     {"DRAM_DQ", 16, D::INOUT, false},
-        {"AUD_XCK", 1, D::OUTPUT, true},       {"AUD_BCLK", 1, D::INOUT, true},
-        {"AUD_DACLRCK", 1, D::INOUT, true},    {"AUD_DACDAT", 1, D::OUTPUT, true},
-        {"AUD_ADCLRCK", 1, D::INOUT, true},    {"AUD_ADCDAT", 1, D::INPUT, true},
-        {"FPGA_I2C_SCLK", 1, D::OUTPUT, true}, {"FPGA_I2C_SDAT", 1, D::INOUT, true},
-        {"ADC_CS_N", 1, D::OUTPUT, true},      {"ADC_SCLK", 1, D::OUTPUT, true},
-        {"ADC_DIN", 1, D::OUTPUT, true},       {"ADC_DOUT", 1, D::INPUT, true},
-        {"GSENSOR_CS_N", 1, D::OUTPUT, true},  {"GSENSOR_SCLK", 1, D::OUTPUT, true},
-        {"GSENSOR_SDI", 1, D::INOUT, true},    {"GSENSOR_SDO", 1, D::INOUT, true},
-        {"PS2_CLK", 1, D::INOUT, true},        {"PS2_DAT", 1, D::INOUT, true},
-        {"PS2_CLK2", 1, D::INOUT, true},       {"PS2_DAT2", 1, D::INOUT, true},
-        {"IRDA_RXD", 1, D::INPUT, true},       {"IRDA_TXD", 1, D::OUTPUT, true},
-        {"TD_CLK27", 1, D::INPUT, true},       {"TD_DATA", 8, D::INPUT, false},
-        {"TD_HS", 1, D::INPUT, true},          {"TD_VS", 1, D::INPUT, true},
-        {"TD_RESET_N", 1, D::OUTPUT, true},    {"FAN_CTRL", 1, D::OUTPUT, true}};
-    return wires;
-}
-
-std::string ChipWires::wire(unsigned index) const {
-    return is_scalar ? std::string{name} : fmt::format("{}[{}]", name, index);
-}
 
 // ---- A board ----
 
@@ -132,16 +92,12 @@ std::vector<std::string> columns_of(const std::string& line) {
     return columns;
 }
 
-bool is_wires_of_colour(const std::string& name) {
-    return name == "VGA_R" || name == "VGA_G" || name == "VGA_B";
-}
-
 class BoardReader {
 public:
     explicit BoardReader(fs::path file) : file_{std::move(file)} {}
 
-    BoardDescription run() {
-        std::istringstream lines{text_of(file_)};
+    BoardDescription run(const std::string& text) {
+        std::istringstream lines{text};
         for (std::string line; std::getline(lines, line);) {
             ++line_;
             if (!line.empty() && line[0] != '#') read(columns_of(line));
@@ -236,15 +192,13 @@ private:
         std::vector<std::string> wires;
         if (what == "-") wires.resize(signal.width());
         for (const std::string& name : what == "-" ? std::vector<std::string>{} : words) {
-            const auto& all = chip_wires();
-            const auto found = std::find_if(all.begin(), all.end(),
-                                            [&](const ChipWires& w) { return w.name == name; });
-            if (found == all.end())
-                refuse("wires of de1sim_chip.v, a clock as \"10 MHz\", or -", '"' + name + '"');
+            const ChipWires* const found = chip_wires_named(name);
+            if (!found)
+                refuse("wires of chip_wires.def, a clock as \"10 MHz\", or -", '"' + name + '"');
             signal.direction = found->direction;
             const unsigned width = signal.width();
             const unsigned first =  // of a colour's few bits the uppermost is the chip's uppermost
-                is_wires_of_colour(name) && words.size() == 1 && width < found->width
+                found->group == WireGroup::COLOURS && words.size() == 1 && width < found->width
                     ? found->width - width
                     : 0;
             for (unsigned n = first; n < found->width; ++n) wires.push_back(found->wire(n));
@@ -263,7 +217,9 @@ private:
 
 }  // namespace
 
-BoardDescription read_board(const fs::path& file) { return BoardReader{file}.run(); }
+BoardDescription read_board(const fs::path& file) { return BoardReader{file}.run(text_of(file)); }
+
+BoardDescription de1_soc() { return BoardReader{"de1_soc/board.tsv"}.run(DE1_SOC_BOARD); }
 
 std::vector<BoardDescription> all_boards() {
     std::vector<BoardDescription> boards;

@@ -1,6 +1,6 @@
 // board_description.h - a board as its file rtl/board/NAME/board.tsv describes it: chip, signals.
 //
-// The simulated chip (runtime/de1sim_chip.v) has wires, with the DE1-SoC's names.  A signal of a
+// The simulated chip has wires (sim/pins/chip_wires.def), with the DE1-SoC's names.  A signal of a
 // board is some of these wires, a clock, or nothing that is simulated.  What none of a board's
 // signals is, the board has not.
 #pragma once
@@ -13,21 +13,9 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/pins/chip_wires.h"
+
 namespace sim::project {
-
-enum class Direction { INPUT, OUTPUT, INOUT };  // as the chip has it
-
-// Wires of the simulated chip that belong together.
-struct ChipWires {
-    std::string_view name;  // "VGA_R"
-    unsigned width;         // 8
-    Direction direction;
-    bool is_scalar;  // written without an index
-
-    std::string wire(unsigned index) const;  // "VGA_R[3]"
-};
-
-const std::vector<ChipWires>& chip_wires();
 
 struct BoardSignal {
     std::string name;  // "HDMI_TX_D", as the board's schematic has it
@@ -72,6 +60,9 @@ struct BoardDescription {
 
 // ProjectError, with the line: it is no such file.
 BoardDescription read_board(const std::filesystem::path& file);
+
+// The DE1-SoC, whose description is in the program: needs no file.
+BoardDescription de1_soc();
 
 // All that are described, by name.
 std::vector<BoardDescription> all_boards();

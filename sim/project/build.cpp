@@ -7,6 +7,7 @@
 
 #include "sim/files/sha256.h"
 #include "sim/files/whole_file.h"
+#include "sim/project/chip_text.h"
 #include "sim/project/clean_sources.h"
 #include "sim/project/compiled_headers.h"
 #include "sim/project/generated.h"
@@ -310,6 +311,8 @@ void Builder::refuse(const Messages& errors) const {
 }
 
 void Builder::generate() {
+    write_if_new(folder_ / "de1sim_ports.vh", chip_ports_text());
+    write_if_new(folder_ / "de1sim_wires.vh", chip_wires_text(design_.binding.header_outputs));
     write_if_new(folder_ / "de1sim_design.vh",
                  design_text(design_.binding, design_.project.top,
                              instance_text(design_.project.parameters)));
@@ -321,7 +324,8 @@ void Builder::generate() {
 std::string Builder::key() const {
     std::string more = fmt::format("{} {}\n", trace_, design_.project.top) +
                        state_of(runtime_library(verilator_, limit_));
-    for (const char* name : {"de1sim_design.vh", "de1sim_pll_taps.v", "de1sim_facts.h"})
+    for (const char* name : {"de1sim_ports.vh", "de1sim_wires.vh", "de1sim_design.vh",
+                             "de1sim_pll_taps.v", "de1sim_facts.h"})
         more += text_of(folder_ / name);
     return key_of(verilator_command(design_.project, includes_), more);
 }
@@ -365,12 +369,9 @@ Built Builder::build(const Progress& progress) {
     fs::create_directories(objects);
     progress(fmt::format("translating {} (Verilator)", design_.project.top));
     auto command = verilator_command(design_.project, includes_);
-    command.insert(
-        command.end(),
-        {"--cc", "-O3", "--noassert", "--prefix", "Vde1sim_chip", "--Mdir",
-         objects.filename().string(), "--top-module", "de1sim_chip", "-I.",
-         fmt::format("-DDE1SIM_GPIO_0_OUTPUTS=36'd{}", design_.binding.header_outputs[0]),
-         fmt::format("-DDE1SIM_GPIO_1_OUTPUTS=36'd{}", design_.binding.header_outputs[1])});
+    command.insert(command.end(),
+                   {"--cc", "-O3", "--noassert", "--prefix", "Vde1sim_chip", "--Mdir",
+                    objects.filename().string(), "--top-module", "de1sim_chip", "-I."});
     command.push_back("-Wwarn-UNOPTFLAT");  // for loops_text()
     if (trace_) command.insert(command.end(), {"--trace-fst", "-DDE1SIM_TRACE"});
     command.push_back("data/project/de1sim_chip.v");

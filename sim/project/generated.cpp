@@ -23,17 +23,16 @@ std::string escaped(const std::string& text) {
 
 // Bits of clocks_o, if the clock drives these pins and nothing else; else 0.
 unsigned clock_pins(const PllClock& clock, const Binding& binding) {
-    static const std::map<std::string, unsigned> BITS{
-        {"AUD_XCK", 1}, {"DRAM_CLK", 2}, {"VGA_CLK", 4}};
     unsigned pins = 0;
     for (const auto& [name, bit] : clock.pins) {
         const auto bound = std::find_if(binding.ports.begin(), binding.ports.end(),
                                         [&](const auto& port) { return port.port.name == name; });
         if (bound == binding.ports.end()) return 0;
         const std::string& wire = bound->bits.at(bound->bits.size() - 1 - bit).wire;
-        const auto found = BITS.find(wire);
-        if (!wire.empty() && found == BITS.end()) return 0;
-        if (!wire.empty()) pins |= found->second;
+        if (wire.empty()) continue;
+        const unsigned in_clocks = lsb_of(ChipPort::clocks_o, wire);
+        if (in_clocks == NO_BIT) return 0;
+        pins |= 1u << in_clocks;
     }
     return pins;
 }

@@ -104,7 +104,8 @@ void compile_library(const fs::path& folder, const fs::path& objects, bool trace
                                             "-fvisibility=hidden",  // so that it can be inlined
                                             "-I" + verilator.include.string(),
                                             "-I" + (verilator.include / "vltstd").string(),
-                                            "-I" + (data / "project").string()};
+                                            "-I" + (data / "project").string(),
+                                            "-I" + (data / "runtime").string()};
     const auto compile = [&](const std::vector<std::string>& headers) {
         std::vector<std::vector<std::string>> commands;
         for (const char* name : {"fast", "slow"}) {

@@ -78,7 +78,8 @@ Verilator find_verilator(const TimeLimit& limit) {
 
 fs::path runtime_library(const Verilator& verilator, const TimeLimit& limit) {
     if (verilator.version == VERILATOR_VERSION) return library(RUNTIME);
-    std::string key = verilator.version + verilator.include.string();
+    std::string key = verilator.version + verilator.include.string() +
+                      text_of(data_folder() / "runtime/sim/pins/chip_wires.def");
     for (const char* name : RUNTIME_SOURCES)
         key += text_of(data_folder() / "runtime/sim/project/runtime" / name);
     const fs::path below = fs::path{"runtime"} / sha256_hex(key.data(), key.size()).substr(0, 16);

@@ -57,7 +57,8 @@ inline constexpr ReportKey REPORT_KEYS[] = {
      "The HPS's LED at the end: `1` if it was lit. All three are also in `shown`."},
     {"shown",
      "What is seen without a monitor, by name: `ledr`, `hex`, `hps_led`, `jp1`, `jp2`; of a "
-     "project `gpio_0` and `gpio_1` in the place of these two."},
+     "project `gpio_0` and `gpio_1` in the place of these two; of a board with that header also "
+     "`arduino_io`."},
     {"shown.*.*",
      "What it showed at the end. LEDs: `lit`, a digit each, LEDR9 first; HEX: `text` and "
      "`segments`, "

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/pins/header_pin.h"
 #include "sim/scenario/seven_segment.h"
 
 namespace sim {
@@ -10,15 +11,17 @@ namespace {
 
 using Fields = RunReport::Shown::Fields;
 
-std::string bits(std::uint16_t ledr) { return fmt::format("{:010b}", ledr); }
+constexpr unsigned ARDUINO = header_of(ChipWire::ARDUINO_IO);
 
-Fields ledr_fields(std::uint16_t ledr) { return {{"lit", bits(ledr)}}; }
+std::string bits(std::uint32_t ledr) { return fmt::format("{:010b}", ledr); }
+
+Fields ledr_fields(std::uint32_t ledr) { return {{"lit", bits(ledr)}}; }
 
 Fields hex_fields(std::uint64_t hex) {
     const HexSegments digits = segments_of(hex);
     std::string all;
-    for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit)
-        all += fmt::format("{}{:02X}", all.empty() ? "" : " ", *digit);
+    for (unsigned n = digits_shown(digits); n-- > 0;)
+        all += fmt::format("{}{:02X}", all.empty() ? "" : " ", digits[n]);
     return {{"text", hex_text(digits)}, {"segments", all}};
 }
 
@@ -28,12 +31,22 @@ std::string jp_text(std::uint64_t pins) { return fmt::format("0x{:08X}", bits_of
 
 std::string gpio_text(std::uint64_t pins) { return fmt::format("0x{:09X}", pins); }
 
-Fields jp_fields(const Lamps::Header& header) {
-    return {{"levels", jp_text(header.levels)}, {"outputs", jp_text(header.outputs)}};
+std::string arduino_text(std::uint64_t pins) {
+    return fmt::format("0x{:04X}", pins & pins_of(ChipWire::ARDUINO_IO));
 }
 
-Fields gpio_fields(const Lamps::Header& header) {
-    return {{"levels", gpio_text(header.levels)}, {"outputs", gpio_text(header.outputs)}};
+// Header `which`, named as `headers` says.
+struct HeaderName {
+    const char *key, *name;
+    std::string (*text)(std::uint64_t pins);
+};
+
+HeaderName header_name(unsigned which, LampLog::Headers headers) {
+    const bool jp = headers == LampLog::Headers::JP;
+    if (which == ARDUINO) return {"arduino_io", "ARDUINO_IO", arduino_text};
+    if (which == 0)
+        return jp ? HeaderName{"jp1", "JP1", jp_text} : HeaderName{"gpio_0", "GPIO_0", gpio_text};
+    return jp ? HeaderName{"jp2", "JP2", jp_text} : HeaderName{"gpio_1", "GPIO_1", gpio_text};
 }
 
 template <class State, class ToFields>
@@ -50,17 +63,22 @@ void LampLog::show(const Lamps& lamps, double time_s) {
     ledr_.show(time_s, lamps.ledr);
     hex_.show(time_s, lamps.hex);
     hps_led_.show(time_s, lamps.hps_led);
-    gpio_0_.show(time_s, lamps.gpio[0]);
-    gpio_1_.show(time_s, lamps.gpio[1]);
+    for (unsigned n = 0; n < HEADERS; ++n) headers_[n].show(time_s, lamps.gpio[n]);
 }
 
-std::vector<RunReport::Shown> LampLog::shown(Headers headers) const {
-    const bool jp = headers == Headers::JP;
-    const auto fields = jp ? jp_fields : gpio_fields;
-    return {shown_of("ledr", ledr_, ledr_fields), shown_of("hex", hex_, hex_fields),
-            shown_of("hps_led", hps_led_, led_fields),
-            shown_of(jp ? "jp1" : "gpio_0", gpio_0_, fields),
-            shown_of(jp ? "jp2" : "gpio_1", gpio_1_, fields)};
+std::vector<RunReport::Shown> LampLog::shown(Headers headers, bool has_arduino) const {
+    std::vector<RunReport::Shown> all{shown_of("ledr", ledr_, ledr_fields),
+                                      shown_of("hex", hex_, hex_fields),
+                                      shown_of("hps_led", hps_led_, led_fields)};
+    for (unsigned n = 0; n < HEADERS; ++n) {
+        if (n == ARDUINO && !has_arduino) continue;
+        const HeaderName header = header_name(n, headers);
+        all.push_back(shown_of(header.key, headers_[n], [&](const Lamps::Header& now) {
+            return Fields{{"levels", header.text(now.levels)},
+                          {"outputs", header.text(now.outputs)}};
+        }));
+    }
+    return all;
 }
 
 std::string LampLog::text(Headers headers) const {
@@ -71,13 +89,13 @@ std::string LampLog::text(Headers headers) const {
     add(ledr_.now() != 0, "LEDR " + bits(ledr_.now()));
     add(hex_.now() != 0, "HEX \"" + hex_text(segments_of(hex_.now())) + "\"");
     add(hps_led_.now(), "the HPS's LED is lit");
-    const bool jp = headers == Headers::JP;
-    const auto as_text = jp ? jp_text : gpio_text;
-    for (const auto& [name, header] :
-         {std::pair{jp ? "JP1" : "GPIO_0", gpio_0_.now()}, {jp ? "JP2" : "GPIO_1", gpio_1_.now()}})
-        add(header.outputs != 0,
-            fmt::format("{} puts {} on {}", name, as_text(header.levels & header.outputs),
-                        as_text(header.outputs)));
+    for (unsigned n = 0; n < HEADERS; ++n) {
+        const Lamps::Header now = headers_[n].now();
+        const HeaderName header = header_name(n, headers);
+        add(now.outputs != 0,
+            fmt::format("{} puts {} on {}", header.name, header.text(now.levels & now.outputs),
+                        header.text(now.outputs)));
+    }
     return text;
 }
 

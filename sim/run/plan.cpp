@@ -180,11 +180,10 @@ RunPlan plan_run(RunDescription description) {
         throw ScenarioError{plan.scenario.file, plan.scenario.board_line,
                             plan.scenario.board_column, error.what()};
     }
-    if (!has_project && !plan.computer_of) plan.scenario.board.lacks = {"HPS LCD"};
-    if (plan.computer_of)
-        set_board(plan, *plan.computer_of);
+    if (has_project)
+        check_scenario(plan.scenario);  // its board is known when it has been read
     else
-        check_scenario(plan.scenario);
+        set_board(plan, plan.computer_of ? *plan.computer_of : project::de1_soc());
     return plan;
 }
 

@@ -14,7 +14,6 @@
 namespace sim {
 
 using project::Binding;
-using project::Direction;
 
 namespace {
 

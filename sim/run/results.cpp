@@ -141,7 +141,7 @@ void add_results(RunReport& report, Board& board, ProgramSystem* processor,
     report.bus = {bus.reads, bus.writes, bus.bursts, bus.errors};
     const auto headers = computer ? LampLog::Headers::JP : LampLog::Headers::GPIO;
     board.lamps();  // so that the log has come to now
-    report.shown = recorder.lamp_log().shown(headers);
+    report.shown = recorder.lamp_log().shown(headers, board.has_arduino());
     report.lamps = recorder.lamp_log().text(headers);
     board.parts.for_each<Part>([&report](const std::string& name, Part& part) {
         if (auto told = part.report(name, sc_core::sc_time_stamp().value())) {

@@ -100,6 +100,7 @@ BoardShape shape_of(const RunPlan& plan, const std::optional<project::Built>& bu
     shape.has_blank = !built || board.has_wire("VGA_BLANK_N");
     shape.hears_gsensor = !built && board.has_wire("GSENSOR_CS_N");
     shape.has_lcd = board.has_lcd;
+    shape.has_arduino = board.has_wire("ARDUINO_IO[0]");
     return shape;
 }
 

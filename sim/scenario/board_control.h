@@ -51,7 +51,7 @@ public:
     virtual Observations& observations() = 0;
     // What a terminal among the parts has received.
     virtual ConsoleText& terminal(const std::string& part) = 0;
-    virtual std::uint16_t ledr() = 0;
+    virtual std::uint32_t ledr() = 0;
     virtual HexSegments hex() = 0;
     virtual bool hps_led() = 0;
     virtual HeaderMasks header_levels() = 0;

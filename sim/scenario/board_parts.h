@@ -12,11 +12,8 @@ struct BoardParts {
     std::set<std::string> wires;  // of the simulated chip: "KEY[1]", "GPIO_0[3]"; "HPS"
     // As the board's schematic calls wires with another name: "GPIO_1" is "ARDUINO_IO".
     std::map<std::string, std::string> names = {};
-    std::set<std::string> lacks = {};  // of the DE1-SoC, which has no name here: what it has not
 
-    bool has(const std::string& wire) const {
-        return name.empty() ? !lacks.count(wire) : wires.count(wire) > 0;
-    }
+    bool has(const std::string& wire) const { return name.empty() || wires.count(wire) > 0; }
 };
 
 }  // namespace sim

@@ -40,7 +40,7 @@ std::string control_wire(unsigned number) {
     if (number < KEYPAD_KEYS) return "GPIO_0[0]";
     if (number == KEYPAD_KEYS + HPS_KEY) return "HPS";
     if (number < KEYPAD_KEYS + KEYS) return "KEY[" + digit(number - KEYPAD_KEYS) + "]";
-    return "SW[" + digit(number - KEYPAD_KEYS - KEYS) + "]";
+    return wire_of(WireGroup::SWITCHES, number - KEYPAD_KEYS - KEYS);
 }
 
 std::string control_name(unsigned number) {

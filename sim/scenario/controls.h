@@ -1,10 +1,12 @@
-// controls.h - the controls that can be held: keypad keys, KEY3-KEY0, HPS_KEY, SW9-SW0
+// controls.h - the controls that can be held: keypad keys, KEY3-KEY0, HPS_KEY, SWs
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "sim/pins/pins.h"
 
 namespace sim {
 
@@ -13,13 +15,12 @@ constexpr char KEYPAD_CAPS[] = "123A456B789C0FED";
 constexpr unsigned KEYPAD_KEYS = 16;
 constexpr unsigned HPS_KEY = 4;  // among the KEYs
 constexpr unsigned KEYS = 5;
-constexpr unsigned SWITCHES = 10;
 
 // Masks: bit n is keypad key number n, KEYn or HPS_KEY, SWn.
 struct Controls {
     std::uint16_t keypad = 0;
     std::uint8_t keys = 0;
-    std::uint16_t switches = 0;
+    std::uint32_t switches = 0;
 
     bool operator==(const Controls& other) const {
         return keypad == other.keypad && keys == other.keys && switches == other.switches;

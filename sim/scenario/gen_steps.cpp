@@ -60,7 +60,8 @@ int main() {
                  "## The file\n\n";
     print_fields(sim::file_fields());
     std::cout << "\n## Parts\n\nItems of the list `parts`. In a map within braces a pin stands in "
-                 "quotes: `{name: a, pin: \"GPIO_0[3]\"}`.\n";
+                 "quotes: `{name: a, pin: \"GPIO_0[3]\"}`.\nThe Arduino header of a DE10-Lite or "
+                 "DE10-Nano has ARDUINO_IO[0] to [15].\n";
     for (const sim::PartForm& form : sim::part_forms()) print_form("###", form);
     for (const sim::StepForm& form : sim::step_forms()) print_form("##", form);
 }

@@ -10,9 +10,10 @@ namespace sim {
 
 namespace {
 
-const std::string NUMBER = "([0-9]|[12][0-9]|3[0-5])";
-const std::string ONE_PIN = "GPIO_[01]\\[" + NUMBER + "\\]";
-const std::string PIN_RANGE = "GPIO_[01]\\[" + NUMBER + "(:" + NUMBER + ")?\\]";
+const std::string NUMBER = "([0-9]|[12][0-9]|3[0-5])", TO_15 = "([0-9]|1[0-5])";
+const std::string ONE_PIN = "(GPIO_[01]\\[" + NUMBER + "\\]|ARDUINO_IO\\[" + TO_15 + "\\])";
+const std::string PIN_RANGE = "(GPIO_[01]\\[" + NUMBER + "(:" + NUMBER + ")?\\]|ARDUINO_IO\\[" +
+                              TO_15 + "(:" + TO_15 + ")?\\])";
 const std::string PIN_LIST = PIN_RANGE + "(, *" + PIN_RANGE + ")*";
 const std::string NAME = "[A-Za-z][A-Za-z0-9_-]*";
 
@@ -21,13 +22,18 @@ Reading read_pin_list(const YamlNode& node) {
     static const Pattern LIST{PIN_LIST};
     if (!is_text(node) || !LIST.matches(node.text)) return std::nullopt;
     Numbers pins;
-    for (std::size_t at = 0; (at = node.text.find("GPIO", at)) != std::string::npos; ++at) {
-        unsigned header = 0, first = 0, last = 0;
-        if (std::sscanf(&node.text[at], "GPIO_%u[%u:%u", &header, &first, &last) < 3) last = first;
+    const std::string& text = node.text;
+    for (std::size_t at = 0; at < text.size();) {
+        at = text.find_first_not_of(", ", at);
+        const std::size_t end = text.find(']', at);
+        const std::string name = text.substr(at, text.find('[', at) - at);
+        unsigned first = 0, last = 0;
+        if (std::sscanf(&text[at + name.size()], "[%u:%u", &first, &last) < 2) last = first;
         for (unsigned pin = first;; first < last ? ++pin : --pin) {
-            pins.push_back(header * PINS_OF_A_HEADER + pin);
+            pins.push_back(*header_pin(fmt::format("{}[{}]", name, pin)));
             if (pin == last) break;
         }
+        at = end + 1;
     }
     return pins;
 }

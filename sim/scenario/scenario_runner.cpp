@@ -140,7 +140,7 @@ ConsoleText& ScenarioRunner::terminal(const std::string& part) {
     return terminals_.at(part);
 }
 
-std::uint16_t ScenarioRunner::ledr() {
+std::uint32_t ScenarioRunner::ledr() {
     catch_up();
     return board_.lamps().ledr;
 }
@@ -157,7 +157,9 @@ bool ScenarioRunner::hps_led() {
 
 HeaderMasks ScenarioRunner::header_levels() {
     catch_up();
-    return {board_.lamps().gpio[0].levels, board_.lamps().gpio[1].levels};
+    HeaderMasks levels{};
+    for (unsigned n = 0; n < HEADERS; ++n) levels[n] = board_.lamps().gpio[n].levels;
+    return levels;
 }
 
 // ---- The output folder ----

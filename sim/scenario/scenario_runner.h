@@ -80,7 +80,7 @@ private:
     void type_serial(const std::string& text, std::optional<SerialLine> to) override;
     Observations& observations() override;
     ConsoleText& terminal(const std::string& part) override;
-    std::uint16_t ledr() override;
+    std::uint32_t ledr() override;
     HexSegments hex() override;
     bool hps_led() override;
     HeaderMasks header_levels() override;

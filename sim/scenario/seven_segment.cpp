@@ -13,8 +13,15 @@ HexSegments segments_of(std::uint64_t lit) {
     return segments;
 }
 
+unsigned digits_shown(const HexSegments& segments) {
+    unsigned count = HEX_DIGITS;
+    while (count > FEWEST_DIGITS && !segments[count - 1]) --count;
+    return count;
+}
+
 bool is_hex_text(std::string_view text) {
-    return text.size() == HEX_DIGITS && std::all_of(text.begin(), text.end(), [](char c) {
+    return text.size() >= FEWEST_DIGITS && text.size() <= HEX_DIGITS &&
+           std::all_of(text.begin(), text.end(), [](char c) {
                return std::any_of(std::begin(GLYPHS), std::end(GLYPHS),
                                   [c](Glyph g) { return g.character == c; });
            });
@@ -22,8 +29,9 @@ bool is_hex_text(std::string_view text) {
 
 std::string hex_text(const HexSegments& segments, std::string_view expected) {
     std::string text;
-    for (unsigned place = 0; place < HEX_DIGITS; ++place) {
-        const unsigned pattern = segments[HEX_DIGITS - 1 - place] & 0x7F;
+    const unsigned count = std::max(digits_shown(segments), static_cast<unsigned>(expected.size()));
+    for (unsigned place = 0; place < count; ++place) {
+        const unsigned pattern = segments[count - 1 - place] & 0x7F;
         char character = '?';
         for (const Glyph& glyph : GLYPHS) {
             if (glyph.segments != pattern) continue;

@@ -6,15 +6,20 @@
 #include <string>
 #include <string_view>
 
+#include "sim/pins/pins.h"
+
 namespace sim {
 
-constexpr unsigned HEX_DIGITS = 6;
+constexpr unsigned HEX_DIGITS = DIGITS, FEWEST_DIGITS = 6;
 
 // The decimal point in bit 7, segments g..a in bits 6:0, 1 = lit; [0] is HEX0, the rightmost.
 using HexSegments = std::array<std::uint8_t, HEX_DIGITS>;
 
 // Of Lamps::hex.
 HexSegments segments_of(std::uint64_t lit);
+
+// Without dark ones left of the six that most boards have.
+unsigned digits_shown(const HexSegments& segments);
 
 struct Glyph {
     char character;
@@ -31,11 +36,12 @@ constexpr Glyph GLYPHS[] = {
     {'y', 0x6E}, {'6', 0x7C}, {'7', 0x27}, {'9', 0x67},
 };
 
-// Six characters with a glyph each, HEX5 first.
+// FEWEST_DIGITS to HEX_DIGITS characters with a glyph each, HEX0 last.
 bool is_hex_text(std::string_view text);
 
-// The digits as text without points, HEX5 first: the character of `expected` if the pattern is one
-// of its forms, otherwise the first character with that pattern, '?' if there is none.
+// The digits as text without points, HEX0 last: FEWEST_DIGITS, or more up to the leftmost that
+// shows something, and as many as are expected.  Each is the character of `expected` if the pattern
+// is one of its forms, otherwise the first character with that pattern, '?' if there is none.
 std::string hex_text(const HexSegments& segments, std::string_view expected = "");
 
 }  // namespace sim

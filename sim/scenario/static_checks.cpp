@@ -61,7 +61,7 @@ void StaticChecks::need_on_board(const std::string& wire, const std::string& wha
 }
 
 void StaticChecks::need_on_board(const HeaderMasks& pins) const {
-    for (HeaderPin pin = 0; pin < 2 * PINS_OF_A_HEADER; ++pin)
+    for (HeaderPin pin = 0; pin < HEADERS * PINS_OF_A_HEADER; ++pin)
         if (is_high(pins, pin)) need_on_board(pin_name(pin), pin_name(pin) + " of the headers");
 }
 

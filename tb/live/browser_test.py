@@ -34,6 +34,18 @@ class Page(Chromium):
     def hex(self):
         return self.find("#hex").get_attribute("aria-label").split(": ")[1]
 
+    def test_the_board_has_what_a_de1_soc_has(self):
+        """As in its manual; the Arduino header is other boards'."""
+        def count(selector):
+            return self.page.execute_script(
+                "return document.querySelectorAll(arguments[0]).length", selector)
+        self.until(lambda: count("#headers > [hidden]") == 1)
+        self.assertEqual(self.find("#headers > [hidden]").get_attribute("data-wire"),
+                         "ARDUINO_IO[0]")
+        self.assertEqual([count(f"#{group} > :not([hidden])")
+                          for group in ("ledr", "hex", "switches", "keys", "headers")],
+                         [10, 6, 10, 5, 2])
+
     def test_shapes_are_seen_heard_and_kept(self):
         black = self.page.execute_script(COLOURED)
         self.page.execute_script(

@@ -323,7 +323,8 @@ class AnotherBoard(Live):
                                         "set_global_assignment -name TOP_LEVEL_ENTITY top\n"
                                         "set_global_assignment -name VERILOG_FILE top.v\n")
         (folder / "top.v").write_text("""\
-module top(input [1:0] KEY, output [9:0] LEDR, output [7:0] HEX0);
+module top(input [1:0] KEY, output [9:0] LEDR, output [7:0] HEX0, inout [15:0] ARDUINO_IO);
+    assign ARDUINO_IO[15] = ~ARDUINO_IO[2];
     assign LEDR = {8'd0, ~KEY}; assign HEX0 = {KEY[0], 7'h7f}; endmodule
 """)
         self.words = ("--project", str(folder / "top.qsf"))
@@ -340,6 +341,12 @@ module top(input [1:0] KEY, output [9:0] LEDR, output [7:0] HEX0);
         await client.step("hold", {"key": 0})
         await client.until(lambda: client.last.get("lamps", {}).get("ledr") == 1)
         self.assertEqual(client.last["lamps"]["hex"][0], 0x80)  # the point
+        self.assertEqual(board["leds"], [f"LEDR[{n}]" for n in range(10)])
+        self.assertIn("ARDUINO_IO[15]", board["wires"])
+        self.assertEqual(client.last["lamps"]["gpio"][2]["levels"] & 0xFFFF, 0x7FFF)
+        await client.step("set-pins", {"arduino_io": 2, "level": "low"})
+        await client.until(
+            lambda: client.last["lamps"]["gpio"][2]["levels"] & 0xFFFF == 0xFFFB)
         await client.step("hold", {"key": 2})
         await client.until(lambda: "error" in client.last)
         self.assertIn("expected a step for what the DE10-Lite has", client.last["error"])

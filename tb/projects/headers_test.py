@@ -1,4 +1,4 @@
-"""headers_test.py DE1SIM FOLDER [CASE...] - GPIO_0 and GPIO_1, and parts on their pins."""
+"""headers_test.py DE1SIM FOLDER [CASE...] - the headers, and parts on their pins."""
 from case import Case, run
 
 
@@ -27,6 +27,27 @@ class Headers(Case):
                    "expect-pins: {gpio_0: [0, 3], level: low}",
                    "set-pins: {gpio_0: [0, 1], level: low}", "delay: 1us",
                    "expect-pins: {gpio_0: [2, 3], level: high}")
+
+    def test_the_arduino_header_of_the_boards_that_have_it(self):
+        """A button and an LED on it, steps, and the report; the DE1-SoC has none."""
+        steps = ("expect-pins: {arduino_io: [3, 15], level: low}",
+                 "expect-led: {led: answer, equals: dark}", "hold-button: ask",
+                 "expect-led: {led: answer, equals: lit, timeout: 1ms}",
+                 "release-button: ask", "set-pins: {arduino_io: 2, level: low}", "delay: 1us",
+                 "expect-pins: {arduino_io: 15, level: high}")
+        parts = ('  - button: {name: ask, pin: "ARDUINO_IO[0]"}\n'
+                 '  - led: {name: answer, pin: "ARDUINO_IO[3]"}\n')
+        self.write(top_v="module top(inout [15:0] ARDUINO_IO);\n"
+                         "assign ARDUINO_IO[3] = ~ARDUINO_IO[0];\n"
+                         "assign ARDUINO_IO[15] = ~ARDUINO_IO[2]; endmodule\n")
+        for board in ("DE10-Nano", "DE10-Lite"):
+            self.plays(*steps, parts=parts, arguments=("--board", board))
+            shown = self.report()["shown"]["arduino_io"]
+            self.assertEqual((shown["levels"], shown["outputs"]), ("0xFFF3", "0x0008"), board)
+        done = self.de1sim("run", "s.yaml")
+        self.assertEqual((done.returncode, done.stderr),
+                         (2, "s.yaml:4:5: expected pins of the DE1-SoC, got ARDUINO_IO[0], which "
+                             "it has not\n"))
 
 
 class Parts(Case):

@@ -1,4 +1,4 @@
-// header_wires_test.cpp - the wires of both headers, joined, and driven by two at once.
+// header_wires_test.cpp - the wires of the headers, joined, and driven by two at once.
 #include "sim/board/header_wires.h"
 
 #include <gmock/gmock.h>
@@ -8,6 +8,8 @@ namespace {
 using sim::PinLevel;
 using testing::ElementsAre;
 using testing::IsEmpty;
+
+constexpr std::uint64_t ALL = sim::ALL_HEADER_PINS;
 
 class HeaderWires : public ::testing::Test {
 protected:
@@ -24,14 +26,14 @@ protected:
 
 TEST_F(HeaderWires, AreJoinedWhereTheKeypadHangs) {
     joined = 0x81;  // D7 is GPIO_1[35], D0 is GPIO_1[0]
-    EXPECT_THAT(wires.settle(), ElementsAre(0xfffffffff, 0xfffffffff));
+    EXPECT_THAT(wires.settle(), ElementsAre(0xfffffffff, 0xfffffffff, ALL));
     wires.fpga({{0, 0}, {1, 1}});
-    EXPECT_THAT(wires.settle(), ElementsAre(0xffffffffe, 0x7fffffffe));
+    EXPECT_THAT(wires.settle(), ElementsAre(0xffffffffe, 0x7fffffffe, ALL));
     joined = 0x41;  // and D6 is GPIO_0[0]
-    EXPECT_THAT(wires.settle(), ElementsAre(0xffffffffe, 0xffffffffe));
+    EXPECT_THAT(wires.settle(), ElementsAre(0xffffffffe, 0xffffffffe, ALL));
     wires.fpga({{1, 1}, {1, 1}});
     wires.part({0, 0x800000000}, PinLevel::LOW);
-    EXPECT_THAT(wires.settle(), ElementsAre(0xfffffffff, 0x7ffffffff));
+    EXPECT_THAT(wires.settle(), ElementsAre(0xfffffffff, 0x7ffffffff, ALL));
 }
 
 TEST_F(HeaderWires, ReportOnceWhereTwoDisagree) {
@@ -40,7 +42,7 @@ TEST_F(HeaderWires, ReportOnceWhereTwoDisagree) {
     wires.settle();
     EXPECT_THAT(log, IsEmpty());
     wires.part({0, 4}, PinLevel::LOW);
-    EXPECT_THAT(wires.settle(), ElementsAre(0xfffffffff, 0xffffffffb)) << "low is stronger";
+    EXPECT_THAT(wires.settle(), ElementsAre(0xfffffffff, 0xffffffffb, ALL)) << "low is stronger";
     EXPECT_THAT(log, ElementsAre("GPIO_1[2] is driven high and low at once; on a board that may "
                                  "damage it"));
     wires.settle();

@@ -49,6 +49,8 @@ TEST(ScenarioOnABoard, IsRefusedWithWhatTheBoardHas) {
               begin + "GPIO_0[2] of the headers: it has 0 to 1");
     EXPECT_EQ(refusal("delay: 1ms", "parts:\n  - button: {name: a, pin: \"GPIO_1[0]\"}\n"),
               "expected pins of the Little, got GPIO_1[0], which it has not");
+    EXPECT_EQ(refusal("delay: 1ms", "parts:\n  - led: {name: a, pin: \"ARDUINO_IO[7]\"}\n"),
+              "expected pins of the Little, got ARDUINO_IO[7], which it has not");
 }
 
 }  // namespace

@@ -18,6 +18,8 @@ GOOD_FILES = [
     "version: 1\nsteps: [{delay: 3600s}]\nname: 'a: b'\n",
     HEAD + "duration: 1s\nps2: mouse\n", HEAD + "duration: 1s\nps2: [nothing, keyboard]\n",
     HEAD + "duration: 1s\nparts: [{keypad: 'GPIO_1[6:0], GPIO_0[35]'}]\n",
+    HEAD + "duration: 1s\nparts: [{keypad: 'ARDUINO_IO[15:9],GPIO_0[35]'}]\n"
+           "steps: [{set-pins: {arduino_io: 15, level: low}}]\n",
     HEAD + "duration: 1s\nproject: a/b.qsf\ncpu: arm\nfpga-memory: bridge\naudio-rate: 48000\n",
     HEAD + "duration: 1s\npoints: 3\nvisibility: hidden\n",
     HEAD + "usb: [snes-gamepad, snes-gamepad]\nsteps:\n  - press-pad-button: {button: A, pad: 2}\n",
@@ -78,6 +80,8 @@ BAD_FILES = [
     HEAD + "duration: 1s\nparts: [{led: {name: a}}]\n",
     HEAD + "duration: 1s\nparts: [{led: {name: a, pin: 'GPIO_0[36]'}}]\n",
     HEAD + "duration: 1s\nparts: [{led: {name: a, pin: 'GPIO_2[3]'}}]\n",
+    HEAD + "duration: 1s\nparts: [{led: {name: a, pin: 'ARDUINO_IO[16]'}}]\n",
+    HEAD + "duration: 1s\nsteps: [{set-pins: {arduino_io: 16, level: low}}]\n",
     HEAD + "duration: 1s\nparts: [{led: {name: 1, pin: 'GPIO_0[3]'}}]\n",
     HEAD + "duration: 1s\nparts: [{keypad: 'GPIO_0[7;0]'}]\n",
     "", "[]\n", "hello\n", HEAD, "name: a\nduration: 1s\n", "version: 1\nduration: 1s\n",

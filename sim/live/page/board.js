@@ -79,35 +79,51 @@ function samples(buffer, view) {
 const SEGMENTS = ["6,2 30,2 26,7 10,7", "31,4 31,29 26,27 26,9", "31,32 31,57 26,52 26,34",
     "6,59 30,59 26,54 10,54", "5,32 5,57 10,52 10,34", "5,4 5,29 10,27 10,9",
     "7,30 10,27 26,27 29,30 26,33 10,33"];
-for (let digit = 5; digit >= 0; --digit) {
-    const polygons = SEGMENTS.map((points) => `<polygon points="${points}"/>`).join("");
-    $("hex").insertAdjacentHTML("beforeend", `<svg viewBox="0 0 36 61" data-digit="${digit}" data-wire="HEX${digit}[0]">${polygons}<circle hidden data-wire="HEX${digit}[7]" cx="34" cy="57" r="2"/></svg>`);
+// Of more than the DE1-SoC has the message `board` tells; their wires, number 0 first.
+const numbered = (bus, count) => Array.from({length: count}, (_, n) => `${bus}[${n}]`);
+const plain = (wire) => wire.replace(/[[\]]/g, "");
+let leds = [];
+function makeDigits(count) {
+    if ($("hex").children.length === count) return;
+    $("hex").replaceChildren();
+    for (let digit = count - 1; digit >= 0; --digit) {
+        const polygons = SEGMENTS.map((points) => `<polygon points="${points}"/>`).join("");
+        $("hex").insertAdjacentHTML("beforeend", `<svg viewBox="0 0 36 61" data-digit="${digit}" data-wire="HEX${digit}[0]">${polygons}<circle hidden data-wire="HEX${digit}[7]" cx="34" cy="57" r="2"/></svg>`);
+    }
 }
-for (let n = 9; n >= 0; --n) {
-    $("ledr").insertAdjacentHTML("beforeend", `<div class="lamp" id="ledr${n}" data-wire="LEDR[${n}]" title="LEDR${n}"></div>`);
-    $(`ledr${n}`).style.gridColumn = 10 - n;  // above its switch
+function makeLeds(wires) {
+    if (leds.length === wires.length) return;
+    leds = wires;
+    $("ledr").replaceChildren();
+    leds.forEach((wire, n) => {
+        $("ledr").insertAdjacentHTML("afterbegin", `<div class="lamp" id="ledr${n}" data-wire="${wire}" title="${plain(wire)}"></div>`);
+        $(`ledr${n}`).style.gridColumn = wires.length - n;  // above its switch
+    });
 }
+makeDigits(6);
+makeLeds(numbered("LEDR", 10));
 
 function lamps({ledr, hex, hex_text, gpio}) {
     for (const svg of $("hex").children) {
         const lit = hex[svg.dataset.digit];
         [...svg.children].forEach((segment, n) => segment.classList.toggle("lit", lit >> n & 1));
     }
-    $("hex").setAttribute("aria-label", `HEX5 to HEX0: ${hex_text}`);
-    for (let n = 0; n < 10; ++n) $(`ledr${n}`).classList.toggle("lit", ledr >> n & 1);
-    const leds = $("ledr").querySelectorAll(".lamp:not([hidden])");
-    $("ledr").setAttribute("aria-label", `${leds[0].title} to ${leds[leds.length - 1].title}: ${ledr.toString(2).padStart(leds.length, "0")}`);
+    $("hex").setAttribute("aria-label", `HEX${hex_text.length - 1} to HEX0: ${hex_text}`);
+    leds.forEach((_, n) => $(`ledr${n}`).classList.toggle("lit", ledr >> n & 1));
+    const shown = $("ledr").querySelectorAll(".lamp:not([hidden])");
+    $("ledr").setAttribute("aria-label", `${shown[0].title} to ${shown[shown.length - 1].title}: ${ledr.toString(2).padStart(shown.length, "0")}`);
     gpio.forEach((header, which) => headerPins(which, BigInt(header.levels), BigInt(header.outputs)));
 }
 
-for (let which = 0; which < 2; ++which) {
+const HEADERS = [["GPIO_0", 36], ["GPIO_1", 36], ["ARDUINO_IO", 16]];
+HEADERS.forEach(([name, pins], which) => {
     let rows = "";
-    for (let pin = 0; pin < 36; ++pin)
-        rows += `${pin % 6 ? "" : "<tr>"}<td data-wire="GPIO_${which}[${pin}]">${pin}<span class="lamp" id="gpio${which}_${pin}"></span></td>`;
-    $("headers").insertAdjacentHTML("beforeend", `<div data-wire="GPIO_${which}[0]"><p><span id="header${which}">GPIO_${which}</span> (outputs bold)</p><table>${rows}</table></div>`);
-}
+    for (let pin = 0; pin < pins; ++pin)
+        rows += `${pin % 6 ? "" : "<tr>"}<td data-wire="${name}[${pin}]">${pin}<span class="lamp" id="gpio${which}_${pin}"></span></td>`;
+    $("headers").insertAdjacentHTML("beforeend", `<div data-wire="${name}[0]"${name === "ARDUINO_IO" ? " hidden" : ""}><p><span id="header${which}">${name}</span> (outputs bold)</p><table>${rows}</table></div>`);
+});
 function headerPins(which, levels, outputs) {
-    for (let pin = 0n; pin < 36n; ++pin) {
+    for (let pin = 0n; pin < HEADERS[which][1]; ++pin) {
         const lamp = $(`gpio${which}_${pin}`);
         lamp.classList.toggle("lit", Boolean(levels >> pin & 1n));
         lamp.parentElement.classList.toggle("out", Boolean(outputs >> pin & 1n));
@@ -122,11 +138,16 @@ for (const key of "123A456B789C0FED")
 for (let key = 3; key >= 0; --key)
     addButton($("keys"), `KEY${key}`, `KEY${key}`, held("key", key)).dataset.wire = `KEY[${key}]`;
 addButton($("keys"), "HPS_KEY", "HPS_KEY", held("key", "hps")).dataset.wire = "HPS";
-for (let n = 9; n >= 0; --n) {
-    const button = addSwitch($("switches"), `SW${n}`, held("switch", n));
-    button.dataset.wire = `SW[${n}]`;
-    button.style.gridColumn = 10 - n;
+function makeSwitches(wires) {
+    if ($("switches").querySelectorAll("[data-wire]").length === wires.length) return;
+    $("switches").replaceChildren();
+    for (let n = wires.length - 1; n >= 0; --n) {
+        const button = addSwitch($("switches"), `SW${n}`, held("switch", n));
+        button.dataset.wire = wires[n];
+        button.style.gridColumn = wires.length - n;
+    }
 }
+makeSwitches(numbered("SW", 10));
 for (let channel = 0; channel < 8; ++channel) {
     $("voltages").insertAdjacentHTML("beforeend",
         `<p data-wire="ADC_DOUT ANALOG[${channel}]"><label><span>CH${channel}</span> <input type="range" min="0" max="4.095" step="0.005" value="0" data-channel="${channel}"></label> <output></output></p>`);
@@ -248,7 +269,6 @@ function power() {
     pushed.clear();
     clearInside();
     levelRanges();
-    de1Soc();
     say("power on");
 }
 function saved({file, text}) {
@@ -274,26 +294,6 @@ window.runFile = runFile;
 
 // ---- What arrives ----
 
-function nameBoard(name, names) {
-    document.title = name;
-    $("name").textContent = name;
-    for (let n = 0; n < 10; ++n) $(`ledr${n}`).title = `${names.LEDR || "LEDR"}${n}`;
-    for (const which of [0, 1]) {
-        const bus = `GPIO_${which}`;
-        $(`header${which}`).textContent = names[bus] ? `${names[bus]}, in steps ${bus}` : bus;
-    }
-}
-
-// Until a message says which board it is; what has no message is this one.
-const OF_DE1_SOC = [...document.querySelectorAll("[data-wire]")].filter((part) => !part.hasAttribute("hidden"));
-function de1Soc() {
-    document.querySelectorAll("[data-wire]").forEach((part) => {
-        part.toggleAttribute("hidden", !OF_DE1_SOC.includes(part));
-    });
-    nameBoard("DE1-SoC", {});
-    nameInputs(false);
-}
-
 // Of the AD converter; those in a MAX 10 are measured up to 5 V.
 function nameInputs(inFpga) {
     document.querySelectorAll("#voltages input").forEach((range) => {
@@ -303,12 +303,20 @@ function nameInputs(inFpga) {
 }
 
 // What the board has not is not shown.
-function board({name, wires, names}) {
+function board({name, wires, names, digits, leds, switches}) {
+    makeDigits(digits);
+    makeLeds(leds);
+    makeSwitches(switches);
     document.querySelectorAll("[data-wire]").forEach((part) => {
         const has = part.dataset.wire.split(" ").some((wire) => wires.includes(wire));
         part.toggleAttribute("hidden", !has);
     });
-    nameBoard(name, names);
+    document.title = name;
+    $("name").textContent = name;
+    leds.forEach((_, n) => { $(`ledr${n}`).title = `${names.LEDR || "LEDR"}${n}`; });
+    HEADERS.forEach(([bus], which) => {
+        $(`header${which}`).textContent = names[bus] ? `${names[bus]}, in steps ${bus}` : bus;
+    });
     nameInputs(wires.includes("ANALOG[0]"));
 }
 

@@ -59,9 +59,10 @@ VerilatedContext* of_one_thread(VerilatedContext& context) {
 class VerilatedDesign final : public Design {
 public:
     ChipPorts ports() override {
-#define DE1SIM_PORT(type, name) top_.name,
-        return {DE1SIM_CHIP_PORTS(DE1SIM_PORT)};
-#undef DE1SIM_PORT
+        return {
+#define CHIP_PORT(name, kind, bits) top_.name,
+#include "sim/pins/chip_wires.def"
+        };
     }
     void eval(std::uint64_t now_ps) override {
         context_.time(now_ps);

@@ -1,12 +1,15 @@
 // design.h - a design, Verilated: its pins as de1sim_chip.v has them, and what is known of it.
 //
 // design.cpp, which is compiled with each design, offers this; model.cpp, which is compiled once,
-// plays it.  Neither Verilator's headers nor the board's are needed, so that designs compile fast.
+// plays it.  Neither Verilator's headers nor the board's parts are needed, so that designs compile
+// fast.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <string>
+
+#include "sim/pins/chip_wires.h"
 
 namespace sim {
 class FpgaModel;
@@ -18,53 +21,9 @@ namespace sim::project {
 struct ModelSettings;
 
 // The ports of de1sim_chip.v.
-#define DE1SIM_CHIP_PORTS(PORT)        \
-    PORT(std::uint8_t, moved_i)        \
-    PORT(std::uint8_t, clock_50_i)     \
-    PORT(std::uint8_t, clock_27_i)     \
-    PORT(std::uint64_t, pll_clocks_i)  \
-    PORT(std::uint16_t, sw_i)          \
-    PORT(std::uint8_t, key_ni)         \
-    PORT(std::uint16_t, ledr_o)        \
-    PORT(std::uint64_t, hex_no)        \
-    PORT(std::uint8_t, clocks_o)       \
-    PORT(std::uint32_t, pins_o)        \
-    PORT(std::uint32_t, vga_o)         \
-    PORT(std::uint32_t, dram_o)        \
-    PORT(std::uint16_t, dram_dq_o)     \
-    PORT(std::uint16_t, dram_dq_i)     \
-    PORT(std::uint8_t, dram_dq_en_i)   \
-    PORT(std::uint64_t, gpio_0_low_i)  \
-    PORT(std::uint64_t, gpio_0_o)      \
-    PORT(std::uint64_t, gpio_0_oe_o)   \
-    PORT(std::uint64_t, gpio_1_low_i)  \
-    PORT(std::uint64_t, gpio_1_o)      \
-    PORT(std::uint64_t, gpio_1_oe_o)   \
-    PORT(std::uint8_t, aud_i)          \
-    PORT(std::uint8_t, aud_en_i)       \
-    PORT(std::uint8_t, aud_adcdat_i)   \
-    PORT(std::uint8_t, i2c_sdat_low_i) \
-    PORT(std::uint8_t, adc_dout_i)     \
-    PORT(std::uint8_t, gsensor_low_i)  \
-    PORT(std::uint8_t, ps2_clk_low_i)  \
-    PORT(std::uint8_t, ps2_dat_low_i)  \
-    PORT(std::uint8_t, irda_rxd_i)     \
-    PORT(std::uint8_t, td_data_i)      \
-    PORT(std::uint8_t, hps_moved_i)    \
-    PORT(std::uint8_t, hps_request_i)  \
-    PORT(std::uint8_t, hps_reset_i)    \
-    PORT(std::uint32_t, hps_gp_i)      \
-    PORT(std::uint8_t, hps_answer_o)   \
-    PORT(std::uint8_t, hps_size_o)     \
-    PORT(std::uint64_t, hps_waits_o)   \
-    PORT(std::uint64_t, hps_irq_o)     \
-    PORT(std::uint32_t, hps_gp_o)      \
-    PORT(std::uint8_t, hps_reset_requests_o)
-
 struct ChipPorts {
-#define DE1SIM_DECLARE(type, name) type& name;
-    DE1SIM_CHIP_PORTS(DE1SIM_DECLARE)
-#undef DE1SIM_DECLARE
+#define CHIP_PORT(name, kind, bits) PortWord<bits_of(ChipPort::name)>& name;
+#include "sim/pins/chip_wires.def"
 };
 
 class Design {

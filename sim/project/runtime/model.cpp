@@ -12,6 +12,7 @@
 
 #include "sim/project/init_file.h"
 #include "sim/project/runtime/bridge.h"
+#include "sim/project/runtime/chip_pins.h"
 #include "sim/project/runtime/clocks.h"
 #include "sim/project/runtime/design.h"
 #include "sim/project/runtime/endings.h"
@@ -23,17 +24,11 @@ namespace sim::project {
 
 namespace {
 
-constexpr std::uint64_t FS_PER_PS = 1'000;
-constexpr std::uint64_t QUIET_FS = 1'000'000'000'000;  // 1 ms
+constexpr std::uint64_t FS_PER_PS = 1'000, QUIET_FS = 1'000'000'000'000;  // 1 ms
 // From DRAM_CLK in the FPGA to the data there: the SDRAM's tAC of 5.4 ns, and two pads.  So the
 // clock may lead by 3 ns, as the University Program has it.
 constexpr std::uint64_t DQ_DELAY_FS = 8'000'000;
-constexpr unsigned VIDEO_BATCH = 800, MOST_TURNS = 100;
-constexpr unsigned XCK_RISES = 128;  // for a measurement of its period
-
-// In pins_o.
-constexpr unsigned ADC = 0x7, PS2_LSB = 3, CODEC_LSB = 7, GSENSOR_LSB = 13;
-constexpr unsigned AUD_XCK = 1, DRAM_CLK = 2, VGA_CLK = 4;  // in clocks_o
+constexpr unsigned VIDEO_BATCH = 800, MOST_TURNS = 100, XCK_RISES = 128;  // to measure its period
 
 // The working directory, for as long as it lives, also where the design's files are broken.
 class InFolder {
@@ -234,10 +229,9 @@ private:
     // As move_processor().
     void apply_inputs() {
         look_ = false;
-        top_.sw_i = in.sw;
+        top_.sw_i = static_cast<PortWord<SWITCHES>>(in.sw);
         top_.key_ni = in.key_n;
-        top_.gpio_0_low_i = ~in.gpio[0] & ~headers_.enable[0] & ALL_HEADER_PINS;
-        top_.gpio_1_low_i = ~in.gpio[1] & ~headers_.enable[1] & ALL_HEADER_PINS;
+        pull_headers(top_, in.gpio, headers_.enable);
         apply_codec();
         top_.i2c_sdat_low_i = !in.sdat && !sdat_low_;
         top_.adc_dout_i = in.adc_sdo;
@@ -248,7 +242,7 @@ private:
         top_.moved_i = !top_.moved_i;
         if (std::exchange(drives_, false)) top_.hps_moved_i = !top_.hps_moved_i;
         eval();
-        look();
+        look_after_inputs();
         look_at_pins();  // a wire that has not moved may be driven by the chip now
     }
 
@@ -283,17 +277,29 @@ private:
 
     // `pins`: those that clocks_ has let rise, where the design lets them through.
     void look(unsigned pins = 0) {
+        look_at_clocks(pins);
+        if (have_moved()) notify();
+        peripherals_.tell(now_ps());
+    }
+
+    // The chip may drive other pins of headers at the same levels, too.
+    void look_after_inputs() {
+        look_at_clocks(0);
+        if (have_moved() | enable_moved(headers_, top_)) notify();
+        peripherals_.tell(now_ps());
+    }
+
+    void look_at_clocks(unsigned pins) {
         const unsigned clocks = top_.clocks_o;
         const unsigned rises = (clocks & ~clocks_high_ & ~clocks_.pins()) | (clocks & pins);
         clocks_high_ = clocks;
         if (rises) clocks_rise(rises);
-        // One decision where nothing has moved, as at most edges.
-        if ((pins_ ^ top_.pins_o) | (lamps_.hex_n ^ top_.hex_no) |
-            static_cast<unsigned>(lamps_.ledr ^ top_.ledr_o) |
-            (headers_.levels[0] ^ top_.gpio_0_o) | (headers_.levels[1] ^ top_.gpio_1_o) |
-            (headers_.enable[0] ^ top_.gpio_0_oe_o) | (headers_.enable[1] ^ top_.gpio_1_oe_o))
-            notify();
-        peripherals_.tell(now_ps());
+    }
+
+    // One decision where nothing has moved, as at most edges.
+    std::uint64_t have_moved() const {
+        return (pins_ ^ top_.pins_o) | (lamps_.hex_n ^ top_.hex_no) | (lamps_.ledr ^ top_.ledr_o) |
+               levels_moved(headers_, top_);
     }
 
     void clocks_rise(unsigned which) {
@@ -316,11 +322,12 @@ private:
         const unsigned moved = pins_ ^ top_.pins_o;
         pins_ = top_.pins_o;
         look_at_codec();
-        if (moved & ADC) {
-            listener_.adc({(pins_ & 1) != 0, (pins_ & 2) != 0, (pins_ & 4) != 0}, now_ps(), in);
+        if (moved >> ADC_LSB & ADC_MASK) {
+            const unsigned adc = pins_ >> ADC_LSB;
+            listener_.adc({(adc & 1) != 0, (adc & 2) != 0, (adc & 4) != 0}, now_ps(), in);
             look_ = true;
         }
-        if (moved >> GSENSOR_LSB) {
+        if (moved >> GSENSOR_LSB & GSENSOR_MASK) {
             const unsigned sensor = pins_ >> GSENSOR_LSB;
             listener_.gsensor(
                 {(sensor & 1) != 0, (sensor & 2) != 0, (sensor & 4) != 0, (sensor & 8) != 0},
@@ -363,11 +370,8 @@ private:
     }
 
     void look_at_headers() {
-        const HeaderPins& was = headers_;
-        if (top_.gpio_0_o == was.levels[0] && top_.gpio_1_o == was.levels[1] &&
-            top_.gpio_0_oe_o == was.enable[0] && top_.gpio_1_oe_o == was.enable[1])
-            return;
-        headers_ = {{top_.gpio_0_o, top_.gpio_1_o}, {top_.gpio_0_oe_o, top_.gpio_1_oe_o}};
+        if (!(levels_moved(headers_, top_) | enable_moved(headers_, top_))) return;
+        headers_ = headers_of(top_);
         listener_.headers(headers_, now_ps(), in);
         look_ = true;
     }
@@ -410,18 +414,14 @@ private:
     // DQ is the memory's while it has a read to answer.
     void look_at_sdram() {
         const unsigned pins = before_.dram;
-        const bool selected = !(pins >> 20 & 1), cke = pins >> 21 & 1;
+        const bool selected = !(pins >> CS_LSB & 1), cke = pins >> CKE_LSB & 1;
         if (!selected && !sdram_busy_ && cke == cke_) return;
         cke_ = cke;
-        const bool reads = (pins >> 17 & 15) == 5, writes = (pins >> 17 & 15) == 4;
+        const bool reads = (pins >> WE_LSB & 15) == 5, writes = (pins >> WE_LSB & 15) == 4;
         if (reads || writes) reading_ = reads;
         std::uint16_t dq = dq_;
-        listener_.sdram(
-            {!selected, (pins >> 19 & 1) != 0, (pins >> 18 & 1) != 0, (pins >> 17 & 1) != 0,
-             static_cast<std::uint8_t>(pins >> 15 & 3), static_cast<std::uint8_t>(pins & 3),
-             static_cast<std::uint16_t>(pins >> 2 & 0x1fff), before_.dram_dq,
-             !reading_ && (writes || sdram_busy_), cke},
-            now_ps(), dq, sdram_busy_);
+        listener_.sdram(sdram_of(pins, before_.dram_dq, !reading_ && (writes || sdram_busy_)),
+                        now_ps(), dq, sdram_busy_);
         const bool drives = sdram_busy_ && reading_;
         if (!drives && !dq_drives_) return;
         if (dq_next_fs_ != NEVER) put_dq();  // of the clock before, less than the delay ago
@@ -473,7 +473,7 @@ private:
     std::uint16_t dq_ = 0;  // what the SDRAM drives, from dq_next_fs_ on
     bool dq_drives_ = false;
     std::uint64_t dq_next_fs_ = NEVER;
-    LampPins lamps_{0, (std::uint64_t{1} << 42) - 1};
+    LampPins lamps_;
     HeaderPins headers_{};
     unsigned clocks_high_ = 0, pins_ = 0;
     unsigned codec_ = 0, ps2_ = 0;  // ps2_: bit n port n's clock, bit 2 + n its data

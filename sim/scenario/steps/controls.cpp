@@ -28,7 +28,7 @@ class OnControls : public Action {
 protected:
     explicit OnControls(const Values& v)
         : controls_{v.mask<std::uint16_t>("keypad"), v.mask<std::uint8_t>("key"),
-                    v.mask<std::uint16_t>("switch")},
+                    v.mask<std::uint32_t>("switch")},
           bounce_{v.get<SimTime>("bounce")} {}
 
     template <class Check>
@@ -106,10 +106,14 @@ const ValueType KEY{
     R"({"anyOf": [{"type": "integer", "minimum": 0, "maximum": 3}, {"const": "hps"}]})", read_key,
     "control"};
 const ValueType SWITCH = [] {
-    ValueType type = whole_number("a switch number, 0 to 9", 0, SWITCHES - 1);
+    ValueType type =
+        whole_number(fmt::format("a switch number, 0 to {}", SWITCHES - 1), 0, SWITCHES - 1);
     type.list_of = "control";
     return type;
 }();
+
+const std::string SWITCH_HELP =
+    fmt::format("Slide switch SW0 to SW{}, or a list of numbers.", SWITCHES - 1);
 
 const std::vector<const char*> ANY_CONTROL = {"keypad", "key", "switch"};
 
@@ -118,7 +122,7 @@ std::vector<Field> controls_and(const std::vector<Field>& others) {
         {"keypad", KEYPAD, Need::OPTIONAL, "", "Keypad key, 0-9 or A-F, or a list of them."},
         {"key", KEY, Need::OPTIONAL, "",
          "Push button KEY0 to KEY3 by its number, hps: HPS_KEY, or a list."},
-        {"switch", SWITCH, Need::OPTIONAL, "", "Slide switch SW0 to SW9, or a list of numbers."},
+        {"switch", SWITCH, Need::OPTIONAL, "", SWITCH_HELP.c_str()},
         {"bounce", TIME, Need::OPTIONAL, "500us",
          "How long contacts of the switches bounce at most; at time 0 they do not, nor do KEYs."},
     };

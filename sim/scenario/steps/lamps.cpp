@@ -16,19 +16,38 @@ using namespace value_types;
 
 // ---- expect-leds ----
 
-using Leds = std::bitset<10>;  // bit n = LEDRn
+using Leds = std::bitset<LEDS>;  // bit n = LEDRn
+
+// Ten, as most boards have, up to those of all boards.
+constexpr unsigned FEWEST_LEDS = 10;
+constexpr std::uint64_t ALL_LEDS = (std::uint64_t{1} << LEDS) - 1;
+
+std::string as_text(std::uint64_t leds) { return fmt::format("{:0{}b}", leds, FEWEST_LEDS); }
 
 Reading read_leds(const YamlNode& node) {
-    if (!node.quoted) return whole_number("", 0, 1023).read(node);
-    if (node.text.size() != 10 || node.text.find_first_not_of("01") != node.text.npos)
+    if (!node.quoted) return whole_number("", 0, ALL_LEDS).read(node);
+    if (node.text.size() < FEWEST_LEDS || node.text.size() > LEDS ||
+        node.text.find_first_not_of("01") != node.text.npos)
         return std::nullopt;
     return std::uint64_t{Leds(node.text).to_ulong()};
 }
 
-const ValueType LEDS{"ten characters 0 or 1, LEDR9 first, or a number from 0 to 1023",
-                     R"({"anyOf": [{"type": "string", "pattern": "^[01]{10}$"},
-                                   {"type": "integer", "minimum": 0, "maximum": 1023}]})",
-                     read_leds};
+// "ten", or "10 to 27".
+std::string so_many(unsigned fewest, unsigned most, const char* fewest_in_words) {
+    return fewest == most ? fewest_in_words : fmt::format("{} to {}", fewest, most);
+}
+
+// In a regular expression: "{10}", "{10,27}".
+std::string times(unsigned fewest, unsigned most) {
+    return fewest == most ? fmt::format("{{{}}}", most) : fmt::format("{{{},{}}}", fewest, most);
+}
+
+const ValueType LEDS_LIT{fmt::format("{} characters 0 or 1, LEDR{} first, or a number from 0 to {}",
+                                     so_many(FEWEST_LEDS, LEDS, "ten"), LEDS - 1, ALL_LEDS),
+                         fmt::format(R"({{"anyOf": [{{"type": "string", "pattern": "^[01]{}$"}},
+                                   {{"type": "integer", "minimum": 0, "maximum": {}}}]}})",
+                                     times(FEWEST_LEDS, LEDS), ALL_LEDS),
+                         read_leds};
 
 class ExpectLeds : public Claim {
 public:
@@ -38,15 +57,15 @@ public:
     void check(StaticChecks& checks) const override {
         for (unsigned n = 0; n < leds_.size(); ++n)
             if (leds_[n])
-                checks.need_on_board(fmt::format("LEDR[{}]", n), fmt::format("LED {}", n));
+                checks.need_on_board(wire_of(WireGroup::LAMPS, n), fmt::format("LED {}", n));
     }
     std::string describe() const override {
-        return "expect LEDs " + leds_.to_string() + within(timeout_);
+        return "expect LEDs " + as_text(leds_.to_ulong()) + within(timeout_);
     }
     Verdict decide(BoardControl& board) const override {
         const bool met = board.wait_until(BoardControl::Each::MILLISECOND, timeout_,
                                           [&] { return Leds{board.ledr()} == leds_; });
-        return {met, "LEDR shows " + Leds{board.ledr()}.to_string()};
+        return {met, "LEDR shows " + as_text(board.ledr())};
     }
 
 private:
@@ -87,8 +106,12 @@ Reading read_hex(const YamlNode& node) {
     return node.text;
 }
 
-const ValueType HEX{"six characters, HEX5 first, of 0-9 A-F H L P U n o r t u y - _ and blank",
-                    R"({"type": "string", "pattern": "^[0-9A-FHLPUnortuy _-]{6}$"})", read_hex};
+const ValueType HEX{
+    fmt::format("{} characters, HEX{} first, of 0-9 A-F H L P U n o r t u y - _ and blank",
+                so_many(FEWEST_DIGITS, HEX_DIGITS, "six"), HEX_DIGITS - 1),
+    fmt::format(R"({{"type": "string", "pattern": "^[0-9A-FHLPUnortuy _-]{}$"}})",
+                times(FEWEST_DIGITS, HEX_DIGITS)),
+    read_hex};
 
 class ExpectHex : public Claim {
 public:
@@ -109,7 +132,7 @@ public:
     }
 
 private:
-    std::string text_;  // six characters, HEX5 first
+    std::string text_;  // HEX0 last
     SimTime timeout_;
 };
 
@@ -125,7 +148,7 @@ std::vector<StepForm> lamps() {
          "Look at the ten red LEDs.",
          Notation::BOTH,
          {},
-         {{"equals", LEDS, Need::REQUIRED, "",
+         {{"equals", LEDS_LIT, Need::REQUIRED, "",
            "Ten characters 0 or 1 in quotes, LEDR9 first, or the number they make."},
           {"timeout", TIME, Need::OPTIONAL, "0s", TIMEOUT_HELP}},
          make<ExpectLeds>},

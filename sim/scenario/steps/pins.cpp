@@ -1,5 +1,9 @@
-// pins.cpp - set-pins, expect-pins: the headers, by JP1's and JP2's D31-D0 or by all 36 pins
+// pins.cpp - set-pins, expect-pins: the headers, by JP1's and JP2's D31-D0 or by all pins
+#include <array>
+
 #include <fmt/format.h>
+
+#include "sim/pins/header_pin.h"
 
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/static_checks.h"
@@ -14,25 +18,34 @@ using namespace value_types;
 
 constexpr const char* LEVELS[] = {"low", "high", "released"};  // as PinLevel
 
-// Pins of both headers, by the names that they were given.
+// By which steps name the headers' pins.
+constexpr std::array<const char*, HEADERS> KEYS{
+#define CHIP_HEADER(wire, port) #port,
+#include "sim/pins/chip_wires.def"
+};
+
+// Pins of the headers, by the names that they were given.
 class Pins {
 public:
     explicit Pins(const Values& v)
-        : d_{v.mask<std::uint32_t>("jp1"), v.mask<std::uint32_t>("jp2")},
-          gpio_{v.mask<std::uint64_t>("gpio_0"), v.mask<std::uint64_t>("gpio_1")} {}
+        : d_{v.mask<std::uint32_t>("jp1"), v.mask<std::uint32_t>("jp2")} {
+        for (unsigned n = 0; n < HEADERS; ++n) pins_[n] = v.mask<std::uint64_t>(KEYS[n]);
+    }
 
     HeaderMasks all() const {
-        return {pins_of_bits(d_[0]) | gpio_[0], pins_of_bits(d_[1]) | gpio_[1]};
+        HeaderMasks all = pins_;
+        for (unsigned n = 0; n < 2; ++n) all[n] |= pins_of_bits(d_[n]);
+        return all;
     }
     // "JP1 D0 and D3, GPIO_1[4]", of those that are among `these`.
-    std::string describe(const HeaderMasks& these = {ALL_HEADER_PINS, ALL_HEADER_PINS}) const {
+    std::string describe(const HeaderMasks& these = all_header_pins()) const {
         std::string text;
         for (unsigned n = 0; n < 2; ++n)
             text += names(fmt::format("JP{} D{{}}", n + 1), " and D{}",
                           d_[n] & bits_of_pins(these[n]), text.empty());
-        for (unsigned n = 0; n < 2; ++n)
-            text += names(fmt::format("GPIO_{}[{{}}]", n), " and [{}]", gpio_[n] & these[n],
-                          text.empty());
+        for (unsigned n = 0; n < HEADERS; ++n)
+            text += names(fmt::format("{}[{{}}]", header_wires(n).name), " and [{}]",
+                          pins_[n] & these[n], text.empty());
         return text;
     }
 
@@ -46,7 +59,7 @@ private:
     }
 
     std::uint32_t d_[2];
-    std::uint64_t gpio_[2];
+    HeaderMasks pins_;
 };
 
 class SetPins : public Action {
@@ -83,8 +96,10 @@ public:
         HeaderMasks wrong{};
         const bool met = board.wait_until(BoardControl::Each::MILLISECOND, timeout_, [&] {
             const HeaderMasks levels = board.header_levels();
-            for (unsigned n = 0; n < 2; ++n) wrong[n] = pins[n] & (high_ ? ~levels[n] : levels[n]);
-            return !wrong[0] && !wrong[1];
+            std::uint64_t any = 0;
+            for (unsigned n = 0; n < HEADERS; ++n)
+                any |= wrong[n] = pins[n] & (high_ ? ~levels[n] : levels[n]);
+            return any == 0;
         });
         return {met, met ? "" : pins_.describe(wrong) + (high_ ? " low" : " high")};
     }
@@ -102,6 +117,7 @@ ValueType pin_number(const std::string& expected, unsigned most) {
 }
 const ValueType DATA_PIN = pin_number("a pin number, 0 to 31", 31);
 const ValueType PIN = pin_number("a pin number, 0 to 35", 35);
+const ValueType ARDUINO_PIN = pin_number("a pin number, 0 to 15", 15);
 const ValueType DRIVE = word("low, high or released", {std::begin(LEVELS), std::end(LEVELS)});
 const ValueType LEVEL = word("low or high", {"low", "high"});
 
@@ -111,6 +127,8 @@ std::vector<Field> pins_and(const std::vector<Field>& others) {
         {"jp2", DATA_PIN, Need::OPTIONAL, "", "Data pin D0 to D31 of JP2, or a list of numbers."},
         {"gpio_0", PIN, Need::OPTIONAL, "", "Pin GPIO_0[0] to [35], or a list of numbers."},
         {"gpio_1", PIN, Need::OPTIONAL, "", "Pin GPIO_1[0] to [35], or a list of numbers."},
+        {"arduino_io", ARDUINO_PIN, Need::OPTIONAL, "",
+         "Pin ARDUINO_IO[0] to [15] of a DE10-Lite or DE10-Nano, or a list of numbers."},
     };
     for (const Field& other : others) fields.push_back(other);
     return fields;
@@ -121,7 +139,7 @@ std::vector<Field> pins_and(const std::vector<Field>& others) {
 namespace steps {
 
 std::vector<StepForm> pins() {
-    const std::vector<const char*> any_header = {"jp1", "jp2", "gpio_0", "gpio_1"};
+    const std::vector<const char*> any_header = {"jp1", "jp2", "gpio_0", "gpio_1", "arduino_io"};
     return {
         {"set-pins", "Drive pins of the headers from outside, until told otherwise, and go on.",
          Notation::MAP, any_header,

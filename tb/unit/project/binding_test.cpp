@@ -7,6 +7,7 @@
 namespace {
 
 using namespace sim::project;
+using sim::Direction;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;

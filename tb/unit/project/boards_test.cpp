@@ -10,6 +10,7 @@
 namespace {
 
 using namespace sim::project;
+using sim::Direction;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -52,11 +53,18 @@ TEST(Boards, HaveAWireForEachSignalThatIsSimulated) {
     EXPECT_FALSE(of("de10_nano").has_wire("HEX0[0]"));
 }
 
+TEST(Boards, HaveTheDe1SocInTheProgramAsItsFileIs) {
+    const auto own = de1_soc(), read = of("de1_soc");
+    EXPECT_EQ(own.name, read.name);
+    EXPECT_EQ(own.on_i2c, read.on_i2c);
+    EXPECT_EQ(own.signals_by_pin(), read.signals_by_pin());
+}
+
 TEST(Boards, RefuseAFileWithItsLine) {
     const std::string head = "board\tB\ndevice\tD\n";
     EXPECT_THAT(refusal("board\tB\n"), HasSubstr("expected a line \"device\", got none"));
     EXPECT_THAT(refusal(head + "LED\tLAMP\tA1\n"),
-                HasSubstr(":3: expected wires of de1sim_chip.v, a clock as \"10 MHz\", or -, got "
+                HasSubstr(":3: expected wires of chip_wires.def, a clock as \"10 MHz\", or -, got "
                           "\"LAMP\""));
     EXPECT_THAT(refusal(head + "KEY\tKEY\tA1 A2 A3 A4 A5\n"), HasSubstr("expected at most 4 pins"));
     EXPECT_THAT(refusal(head + "A\t-\tA1\nB\t-\tA1\n"), HasSubstr(":4: expected a pin of its own"));

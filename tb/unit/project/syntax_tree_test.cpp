@@ -12,6 +12,7 @@
 namespace {
 
 using namespace sim::project;
+using sim::Direction;
 
 // As Verilator 5.048 writes it, without what nobody reads.
 constexpr const char* META = R"~({"files": {"e": {"filename": "top.v"},

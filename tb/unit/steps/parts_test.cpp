@@ -81,6 +81,18 @@ TEST_F(PartSteps, MoveContacts) {
                             "pins 8 0 2", "pins 8 0 0", "pins 10 0 1", "pins 10 0 0"));
 }
 
+TEST_F(PartSteps, SitOnTheArduinoHeaderBesideOthers) {
+    const auto scenario = sim::parse_scenario(
+        "name: a\nversion: 1\nduration: 1s\nparts:\n"
+        "  - led-matrix: {name: a, rows: \"ARDUINO_IO[1:0]\", columns: \"GPIO_1[2], "
+        "ARDUINO_IO[15:14]\"}\n",
+        "a.yaml");
+    std::vector<std::string> names;
+    for (const sim::HeaderPin pin : scenario.parts.at(0).pins) names.push_back(sim::pin_name(pin));
+    EXPECT_THAT(names, ElementsAre("ARDUINO_IO[1]", "ARDUINO_IO[0]", "GPIO_1[2]", "ARDUINO_IO[15]",
+                                   "ARDUINO_IO[14]"));
+}
+
 // Levels of GPIO_1; the LED on its pin 35 is lit by 0.
 constexpr std::uint64_t HEART = std::uint64_t{1} << 35;
 

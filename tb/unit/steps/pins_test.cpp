@@ -23,6 +23,16 @@ TEST_F(PinSteps, DriveAllPinsOfAHeader) {
     EXPECT_THAT(acts("set-pins: {jp1: 0, gpio_0: 0, level: low}"), ElementsAre("pins 3 0 0"));
 }
 
+TEST_F(PinSteps, HaveTheArduinoHeader) {
+    EXPECT_EQ(said("set-pins: {arduino_io: [0, 15], gpio_1: 1, level: low}"),
+              "drive GPIO_1[1], ARDUINO_IO[0] and [15] low");
+    board.pins = {0, 0, 0x0003};
+    EXPECT_EQ(finds("expect-pins: {arduino_io: [0, 1], level: high}"), "met");
+    EXPECT_EQ(finds("expect-pins: {arduino_io: [1, 2], level: high}"), "ARDUINO_IO[2] low");
+    EXPECT_EQ(step_error("set-pins: {arduino_io: 16, level: high}"),
+              "a.yaml:4:26: expected a pin number, 0 to 15, got 16");
+}
+
 TEST_F(PinSteps, ExpectAllOfOneLevel) {
     board.pins = {sim::pins_of_bits(0xFFFFFFF7), sim::pins_of_bits(0x10) | 1};
     EXPECT_EQ(finds("expect-pins: {jp1: [0, 1], jp2: 4, level: high}"), "met");
@@ -53,7 +63,7 @@ TEST_F(PinSteps, DescribeThemselves) {
 
 TEST_F(PinSteps, RefuseWhatIsNoPinAndNoLevel) {
     EXPECT_EQ(step_error("set-pins: {level: high}"),
-              "a.yaml:4:3: expected jp1, jp2, gpio_0 or gpio_1 in set-pins, got none");
+              "a.yaml:4:3: expected jp1, jp2, gpio_0, gpio_1 or arduino_io in set-pins, got none");
     EXPECT_EQ(step_error("set-pins: {jp1: 32, level: high}"),
               "a.yaml:4:19: expected a pin number, 0 to 31, got 32");
     EXPECT_EQ(step_error("set-pins: {gpio_0: 36, level: high}"),

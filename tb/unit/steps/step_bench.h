@@ -149,7 +149,7 @@ public:
     }
     sim::Observations& observations() override { return seen; }
     sim::ConsoleText& terminal(const std::string& part) override { return terminals[part]; }
-    std::uint16_t ledr() override { return leds; }
+    std::uint32_t ledr() override { return leds; }
     sim::HexSegments hex() override { return segments; }
     bool hps_led() override { return lit; }
     sim::HeaderMasks header_levels() override { return pins; }
