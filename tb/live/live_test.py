@@ -337,7 +337,8 @@ module top(input [1:0] KEY, output [9:0] LEDR, output [7:0] HEX0, inout [15:0] A
         self.assertEqual(board["name"], "DE10-Lite")
         self.assertIn("HEX0[7]", board["wires"])
         self.assertNotIn("KEY[2]", board["wires"])
-        self.assertEqual(board["names"]["GPIO_1"], "ARDUINO_IO")
+        self.assertEqual(board["names"]["GPIO_0"], "GPIO")
+        self.assertIn("ARDUINO_IO[15]", board["wires"])
         await client.step("hold", {"key": 0})
         await client.until(lambda: client.last.get("lamps", {}).get("ledr") == 1)
         self.assertEqual(client.last["lamps"]["hex"][0], 0x80)  # the point

@@ -44,7 +44,7 @@ class Pages(Chromium):
         self.assertEqual(self.texts("#ledr div"), self.numbered("LEDR", 10))
         self.assertEqual(self.texts("#voltages label"), [f"Arduino_A{n}" for n in range(6)])
         self.assertEqual(self.texts("#headers p"), ["GPIO, in steps GPIO_0 (outputs bold)",
-                                                    "ARDUINO_IO, in steps GPIO_1 (outputs bold)"])
+                                                    "ARDUINO_IO (outputs bold)"])
         self.assertEqual(len(self.texts("#headers td")), 36 + 16)
         self.assertEqual(self.texts("#terminals h2"), ["JTAG UART 0", "JTAG UART 1"])
         for absent in "#volume", "#mouse", "#focus", "#hex circle":
@@ -90,7 +90,8 @@ class Pages(Chromium):
         self.picture("de10_nano")
         self.open_details()
         self.assertEqual(self.texts("#headers p"), ["GPIO_0 (outputs bold)",
-                                                    "GPIO_1 (outputs bold)"])
+                                                    "GPIO_1 (outputs bold)",
+                                                    "ARDUINO_IO (outputs bold)"])
 
 
 if __name__ == "__main__":
