@@ -10,7 +10,7 @@ namespace sim {
 struct BoardParts {
     std::string name;             // "DE10-Lite"; empty: not known, and all is taken to be there
     std::set<std::string> wires;  // of the simulated chip: "KEY[1]", "GPIO_0[3]"; "HPS"
-    // As the board's schematic calls wires with another name: "GPIO_1" is "ARDUINO_IO".
+    // As the board's schematic calls wires with another name: "LEDR" is "LED".
     std::map<std::string, std::string> names = {};
 
     bool has(const std::string& wire) const { return name.empty() || wires.count(wire) > 0; }
