@@ -60,11 +60,11 @@ void SpiController::reset() {
     to_send_.clear();
     received_.clear();
     step_.cancel();
-    rest();
+    release_wires();
     update();
 }
 
-void SpiController::rest() {
+void SpiController::release_wires() {
     if (fabric_) fabric_->release((control_ & SCPOL) != 0);
 }
 
@@ -245,7 +245,7 @@ void SpiController::write(std::uint32_t offset, std::uint32_t value, const sc_co
                 busy_ = false;
                 step_.cancel();
             }
-            rest();
+            release_wires();
             break;
         case SER: slaves_ = role_ == Role::MASTER ? value & 0xF : 0; break;
         case BAUDR: set(divider_, value & 0xFFFE); break;

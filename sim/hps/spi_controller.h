@@ -63,7 +63,7 @@ private:
     SpiFormat format() const;
     void receive(std::uint32_t frame);
     std::uint32_t next_of_slave() const;
-    void rest();
+    void release_wires();
     std::uint32_t raw() const;
     void update();
 
