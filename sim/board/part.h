@@ -24,7 +24,7 @@ public:
     virtual std::optional<DisplayPicture> picture() const { return {}; }
 
     // At the end of a run; nothing of a part that has nothing to tell.
-    virtual std::optional<PartReport> report(const std::string& name, std::uint64_t time_ps) {
+    virtual std::optional<PartReport> final_report(const std::string& name, std::uint64_t time_ps) {
         std::vector<std::string> seen = rows(time_ps);
         if (seen.empty()) return {};
         return PartReport{name, std::move(seen)};

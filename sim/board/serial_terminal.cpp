@@ -63,7 +63,7 @@ void SerialTerminal::send() {
     sending_.set(after(sending_since_ps_, 2 * sent_));
 }
 
-std::optional<PartReport> SerialTerminal::report(const std::string& name, std::uint64_t) {
+std::optional<PartReport> SerialTerminal::final_report(const std::string& name, std::uint64_t) {
     PartReport told{name};
     told.received = received_;
     told.lost = lost_;

@@ -33,7 +33,7 @@ public:
     // The last of them, and bytes that were lost.
     const std::string& received() const { return received_; }
     std::uint64_t lost() const { return lost_; }
-    std::optional<PartReport> report(const std::string& name, std::uint64_t) override;
+    std::optional<PartReport> final_report(const std::string& name, std::uint64_t) override;
 
 private:
     // So many halves of a bit after `begin_ps`.

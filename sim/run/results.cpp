@@ -144,7 +144,7 @@ void add_results(RunReport& report, Board& board, ProgramSystem* processor,
     report.shown = recorder.lamp_log().shown(headers, board.has_arduino());
     report.lamps = recorder.lamp_log().text(headers);
     board.parts.for_each<Part>([&report](const std::string& name, Part& part) {
-        if (auto told = part.report(name, sc_core::sc_time_stamp().value())) {
+        if (auto told = part.final_report(name, sc_core::sc_time_stamp().value())) {
             for (const std::string& line : told->advice) report.advice.push_back(line);
             report.parts.push_back(std::move(*told));
         }
