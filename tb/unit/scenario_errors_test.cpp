@@ -25,11 +25,12 @@ TEST(ScenarioError, CarriesFilePlaceAndMessageApart) {
 TEST(ScenarioError, NamesTheNearestFieldOfAFile) {
     EXPECT_EQ(error_of("nam: a"),
               "a.yaml:1:1: expected a field of a scenario, got \"nam\" (did you mean \"name\"?)");
-    EXPECT_EQ(error_of("name: a\ncolour: red"),
-              "a.yaml:2:1: expected a field of a scenario: name, version, seed, duration, "
-              "program, project, cpu, fpga-memory, audio-rate, points, visibility, ps2, usb, "
-              "parts or steps, "
-              "got \"colour\"");
+    EXPECT_EQ(
+        error_of("name: a\ncolour: red"),
+        "a.yaml:2:1: expected a field of a scenario: name, version, seed, duration, "
+        "program, project, board, cpu, fpga-memory, audio-rate, points, visibility, ps2, usb, "
+        "parts or steps, "
+        "got \"colour\"");
 }
 
 TEST(ScenarioError, NamesTheNearestStep) {

@@ -60,11 +60,12 @@ TEST(ScenarioError, RefusesBytesThatAreNotText) {
 }
 
 TEST(ScenarioError, IsPrintableWhateverTheFileSays) {
-    EXPECT_EQ(error_of("\"na\\e[2J\\nme\": a"),
-              "a.yaml:1:1: expected a field of a scenario: name, version, seed, duration, "
-              "program, project, cpu, fpga-memory, audio-rate, points, visibility, ps2, usb, "
-              "parts or steps, "
-              "got \"na\\x1b[2J\\x0ame\"");
+    EXPECT_EQ(
+        error_of("\"na\\e[2J\\nme\": a"),
+        "a.yaml:1:1: expected a field of a scenario: name, version, seed, duration, "
+        "program, project, board, cpu, fpga-memory, audio-rate, points, visibility, ps2, usb, "
+        "parts or steps, "
+        "got \"na\\x1b[2J\\x0ame\"");
     EXPECT_THAT(error_of("name: a\x1B[2J\nversion: 1\nduration: 1s"),
                 EndsWith("expected a line of text, got \"a\\x1b[2J\""));
     EXPECT_THAT(error_of("\"\\x9b2J\": 1"), HasSubstr("got \"\\xc2\\x9b2J\""));
