@@ -1,4 +1,5 @@
 """pages_test.py DE1SIM FOLDER PROGRAMS - the pages of other boards in Chromium; leaves pictures."""
+import json
 import pathlib
 import shutil
 
@@ -37,7 +38,11 @@ class Pages(Chromium):
         return [f"{name}{n}" for n in reversed(range(count))]
 
     def test_the_de10_lite_has_its_own_controls(self):
-        self.open("--board", "de10-lite", "--elf", EXAMPLES / "bubble/bubble.nios-v.elf")
+        scenario = FOLDER / "of_a_de10_lite.yaml"
+        scenario.write_text(f"name: bubble\nversion: 1\nboard: DE10-Lite\n"
+                            f"program: {json.dumps(str(EXAMPLES / 'bubble/bubble.nios-v.elf'))}\n"
+                            "steps:\n  - delay: 1ms\n")
+        self.open(scenario)
         self.until(lambda: self.find("#name").text == "DE10-Lite")
         self.open_details()
         self.assertEqual(self.texts("#keys button"), self.numbered("KEY", 2))

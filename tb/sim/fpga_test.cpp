@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <iterator>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -81,13 +82,18 @@ protected:
     tlm::tlm_response_status access(tlm_utils::simple_initiator_socket<Initiator>& socket,
                                     tlm::tlm_command command, std::uint32_t address, void* data,
                                     unsigned bytes) {
+        return access(socket, command, address, data, bytes, delay);
+    }
+    tlm::tlm_response_status access(tlm_utils::simple_initiator_socket<Initiator>& socket,
+                                    tlm::tlm_command command, std::uint32_t address, void* data,
+                                    unsigned bytes, sc_time& its_delay) {
         tlm::tlm_generic_payload tx;
         tx.set_command(command);
         tx.set_address(address);
         tx.set_data_ptr(static_cast<unsigned char*>(data));
         tx.set_data_length(bytes);
         tx.set_streaming_width(bytes);
-        socket->b_transport(tx, delay);
+        socket->b_transport(tx, its_delay);
         return tx.get_response_status();
     }
     std::uint32_t read(std::uint32_t address) {
@@ -176,6 +182,33 @@ TEST_F(FpgaTest, WritesAndReadsAnyLengthAtAnyAlignment) {
             ASSERT_EQ(std::memcmp(back.data(), row.data() + from, count), 0)
                 << "from " << from << " bytes " << count;
         }
+    });
+}
+
+// As the processor and its DMA controller do, between which SystemC's events come.
+TEST_F(FpgaTest, CarriesOneTransactionOfABridgeAfterTheOther) {
+    run([this] {
+        std::vector<std::uint8_t> row(640), back(640);
+        std::iota(row.begin(), row.end(), std::uint8_t{0});
+        std::uint32_t before = 0x12345678, after = 0;
+        access(cpu.h2f, tlm::TLM_WRITE_COMMAND, ONCHIP + 8192, &before, 4);
+        sc_core::sc_event written;
+        sc_core::sc_spawn([&] {
+            sc_time own;
+            access(cpu.h2f, tlm::TLM_WRITE_COMMAND, ONCHIP, row.data(), 640, own);
+            written.notify();
+        });
+        sc_core::sc_spawn([] {
+            for (;;) sc_core::wait(1, sc_core::SC_US);
+        });
+        wait(3, sc_core::SC_US);
+        EXPECT_TRUE(bridges.is_busy());
+        EXPECT_EQ(access(cpu.h2f, tlm::TLM_READ_COMMAND, ONCHIP + 8192, &after, 4),
+                  tlm::TLM_OK_RESPONSE);
+        EXPECT_EQ(after, before);
+        EXPECT_FALSE(bridges.is_busy());
+        access(cpu.h2f, tlm::TLM_READ_COMMAND, ONCHIP, back.data(), 640);
+        EXPECT_EQ(back, row);
     });
 }
 
