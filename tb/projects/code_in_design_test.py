@@ -28,7 +28,7 @@ class CodeInDesign(SystemCase):
            "    calls++; return n == 0 ? zero : n + sum(n - 1);\n}\n")
 
     def test_by_either_bridge(self):
-        for bridge, base, address in (FULL, 0x10000, 0xC0010000), (LW, 0x8000, 0xFF208000):
+        for bridge, base, address in (FULL, 0x10000, 0xC0010000), (LW, 0x10000, 0xFF210000):
             self.memory(bridge, base)
             self.linked(address, "LEDS = sum(20) + calls;", self.SUM)
             self.shows(210 + 5 + 21)
