@@ -21,7 +21,7 @@ std::vector<fs::path> program_folders() {
     for (const char* name : {"bin", "examples", "lib", "libexec", "share"})
         folders.push_back(prefix / name);
     std::error_code error;
-    for (const auto& entry : fs::directory_iterator{prefix / "share" / "de1sim", error})
+    for (const auto& entry : fs::recursive_directory_iterator{prefix / "share" / "de1sim", error})
         if (entry.is_symlink()) folders.push_back(fs::canonical(entry.path()));
     return folders;
 }
