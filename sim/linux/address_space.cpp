@@ -55,6 +55,13 @@ void each_touched_page(const std::uint8_t* begin, std::size_t bytes, Each each) 
     }
 }
 
+// Whether the host would give so many bytes more.
+bool host_has(std::size_t bytes) {
+    void* const more = mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
+                            MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    return more != MAP_FAILED && munmap(more, bytes) == 0;
+}
+
 }  // namespace
 
 AddressSpace::AddressSpace(ArmCore& core, std::uint32_t bottom, std::uint32_t top)
@@ -100,17 +107,20 @@ void AddressSpace::detach() {
 
 std::shared_ptr<AddressSpace> AddressSpace::copy() const {
     static const std::vector<std::uint8_t> zeros(PAGE);
-    if (all_ram_ + own_ram_ > ALL_RAM || all_areas_ + areas_.size() + 2 > MOST_AREAS)
+    constexpr std::size_t RESERVE = 256 << 20;  // a translator without memory ends de1sim
+    if (all_ram_ + own_ram_ > ALL_RAM || all_areas_ + areas_.size() + 2 > MOST_AREAS ||
+        !host_has(RESERVE))
         return nullptr;
     auto other = std::make_shared<AddressSpace>(core_);
     for (const auto& [begin, area] : areas_) {
         const std::uint32_t bytes = area.end - begin;
         if (area.on_bus) {
-            other->map_bus(begin, bytes, area.access, area.physical);
+            if (!other->map_bus(begin, bytes, area.access, area.physical)) return nullptr;
         } else if (area.shared) {
-            other->map_shared(begin, bytes, area.access, area.shared, area.physical);
+            if (!other->map_shared(begin, bytes, area.access, area.shared, area.physical))
+                return nullptr;
         } else {
-            other->map(begin, bytes, 0);
+            if (!other->map(begin, bytes, 0)) return nullptr;  // the host has no more memory
             each_touched_page(host_ + begin, bytes, [&](std::size_t page) {
                 std::uint8_t* const from = host_ + begin + page;
                 if (std::memcmp(from, zeros.data(), PAGE) != 0)

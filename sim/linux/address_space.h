@@ -55,8 +55,8 @@ public:
     explicit AddressSpace(ArmCore& core, std::uint32_t bottom = BOTTOM, std::uint32_t top = TOP);
     ~AddressSpace();
     AddressSpace(const AddressSpace&) = delete;
-    // The same areas, those in RAM with a copy of their contents; not the core's yet.  Null if RAM
-    // is used up.
+    // The same areas, those in RAM with a copy of their contents; not the core's yet.  Null if RAM,
+    // or the host's memory, is used up.
     std::shared_ptr<AddressSpace> copy() const;
 
     // It is the one that the core sees, or no longer.
