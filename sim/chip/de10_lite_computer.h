@@ -1,7 +1,7 @@
 // de10_lite_computer.h - the chip as the DE10-Lite Computer with Nios V: NiosVComputer with another
 // map, another picture and other pins
 //
-//   Bus --> De10LiteMap -+- FpgaBridges h2f: SDRAM, characters        De10LitePins --> pins
+//   Bus --> De10LiteMap -+- FpgaBridges h2f: SDRAM, characters   De10LitePins --> pins
 //                        +- De10LitePicture: on-chip memory, pixel buffer controller
 //                        +- NiosVWindow: what is as on the DE1-SoC
 //                        +- ArduinoPort, Max10Converter, AccelerometerPort

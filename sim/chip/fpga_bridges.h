@@ -114,8 +114,8 @@ private:
     std::string why_;
     Copy copy_;                        // or none
     std::uint64_t busy_until_ps_ = 0;  // by accesses that were made again
-    std::uint64_t calm_until_ps_ = 0;  // ... while the chip's batches are as many as these
-    std::uint64_t calm_batches_ = 0;
+    // Until then no register changes, provided that FpgaChip::batches() is still calm_batches_.
+    std::uint64_t calm_until_ps_ = 0, calm_batches_ = 0;
     std::uint64_t took_ps_[2] = {0, 0};  // the last read of a register, the last write
     sc_core::sc_event never_, free_;
 };

@@ -24,7 +24,7 @@ constexpr int MOST_LEVELS = 16;  // of a message; thousands would need more stac
 constexpr auto STATUS_PERIOD = std::chrono::milliseconds{250};
 constexpr double MOST_BEHIND_S = 0.1;  // which is made up for; what is more is given up
 
-// For the page: what it shows of all that there can be.
+// The message of the board: what it has, and all LEDs, digits and switches that a board can have.
 nlohmann::json as_json(const BoardParts& board) {
     nlohmann::json leds = nlohmann::json::array(), switches = nlohmann::json::array();
     for (unsigned n = 0; n < LEDS; ++n) leds.push_back(wire_of(WireGroup::LAMPS, n));

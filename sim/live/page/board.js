@@ -79,7 +79,7 @@ function samples(buffer, view) {
 const SEGMENTS = ["6,2 30,2 26,7 10,7", "31,4 31,29 26,27 26,9", "31,32 31,57 26,52 26,34",
     "6,59 30,59 26,54 10,54", "5,32 5,57 10,52 10,34", "5,4 5,29 10,27 10,9",
     "7,30 10,27 26,27 29,30 26,33 10,33"];
-// Of more than the DE1-SoC has the message `board` tells; their wires, number 0 first.
+// How many there are the message `board` says; here as many as on the DE1-SoC.  Wire 0 comes first.
 const numbered = (bus, count) => Array.from({length: count}, (_, n) => `${bus}[${n}]`);
 const plain = (wire) => wire.replace(/[[\]]/g, "");
 let leds = [];
@@ -111,7 +111,7 @@ function lamps({ledr, hex, hex_text, gpio}) {
     $("hex").setAttribute("aria-label", `HEX${hex_text.length - 1} to HEX0: ${hex_text}`);
     leds.forEach((_, n) => $(`ledr${n}`).classList.toggle("lit", ledr >> n & 1));
     const shown = $("ledr").querySelectorAll(".lamp:not([hidden])");
-    $("ledr").setAttribute("aria-label", `${shown[0].title} to ${shown[shown.length - 1].title}: ${ledr.toString(2).padStart(shown.length, "0")}`);
+    if (shown.length) $("ledr").setAttribute("aria-label", `${shown[0].title} to ${shown[shown.length - 1].title}: ${ledr.toString(2).padStart(shown.length, "0")}`);
     gpio.forEach((header, which) => headerPins(which, BigInt(header.levels), BigInt(header.outputs)));
 }
 
