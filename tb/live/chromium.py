@@ -25,6 +25,9 @@ DE1SIM, FOLDER, PROGRAMS = sys.argv[1], *map(pathlib.Path, sys.argv[2:4])
 
 
 class Chromium(unittest.TestCase):
+    def setUp(self):
+        FOLDER.mkdir(parents=True, exist_ok=True)
+
     def open(self, *words):
         """The page of `de1sim live WORDS`, with its first picture; the test's end closes it."""
         self.folder = FOLDER / self.id().split(".")[-1]
@@ -40,6 +43,7 @@ class Chromium(unittest.TestCase):
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         self.page = webdriver.Remote(self.driver(), options=options)
         self.addCleanup(self.page.quit)
+        self.addCleanup(self.finds_no_errors)
         self.page.get(self.board.url)
         self.until(lambda: int(self.find("#monitor").get_attribute("data-shown") or 0) > 0)
 
@@ -54,7 +58,8 @@ class Chromium(unittest.TestCase):
                 return f"http://127.0.0.1:{found.group(1)}"
         raise RuntimeError("chromedriver does not start")
 
-    def tearDown(self):
+    def finds_no_errors(self):
+        """In the page's console."""
         wrong = [entry["message"] for entry in self.page.get_log("browser")
                  if entry["level"] == "SEVERE"]
         self.assertEqual(wrong, [])
