@@ -1,15 +1,16 @@
-// de1sim_hps_axi.v - a bridge of the processor to the FPGA as AXI3, one burst at a time
+// de1sim_hps_axi.v - a bridge of the processor to the FPGA as AXI3
 //
-// Its address and its first word are there together.  BREADY and RREADY are always 1.
+// A burst's address and its first word are there together.  BREADY and RREADY are always 1.  The
+// next burst comes when the one before is answered; after a posted write, when that is sent.
 //
 // An answer counts if its ID is the burst's, if BVALID comes after the burst's last word was taken,
 // and if RLAST comes with the last word of a read and with no other.  Otherwise the processor waits
-// for ever, as on the board, and waits_o has what was seen.  SLVERR or DECERR, of a read in any of
+// for ever, as on the board, and waits_i has what was seen.  SLVERR or DECERR, of a read in any of
 // its words, is an abort.
 //
 // Source: AMBA AXI Protocol Specification (ARM IHI 0022D), AXI3.
 //
-// Not handled: bursts that overlap: each waits for the answer to the one before.
+// Not handled: reads that overlap, with others or with writes; words of two bursts at a time.
 
 `default_nettype none
 
@@ -57,7 +58,8 @@ module de1sim_hps_axi #(
     reg  [63:0]  burst_q = 0;
     // verilator lint_on UNUSED
     reg          aw_q = 0, w_q = 0, ar_q = 0;  // not taken yet
-    reg          open_q = 0;                   // not answered yet
+    reg          open_q = 0;                   // not answered yet; a posted write: not sent
+    reg          posted_q = 0;                 // posted writes are sent and not answered
     reg  [3:0]   beat_q = 0;
     reg  [127:0] wdata_q = 0;
     reg  [15:0]  wstrb_q = 0;
@@ -74,7 +76,11 @@ module de1sim_hps_axi #(
 
     wire         is_last = beat_q == len;
     wire         sent    = (!aw_q || awready) && (!w_q || (wready && is_last));
-    wire         b_ends  = open_q && write && bvalid && sent && bid == id && wrong_q == 4'd0;
+    wire         posting = open_q && burst_q[63];
+    wire         posted  = posting && sent && wrong_q == 4'd0;
+    wire         b_ours  = open_q && write && bvalid && (!posting || (bid == id && !posted));
+    wire         b_ends  = b_ours && !posting && sent && bid == id && wrong_q == 4'd0;
+    wire         b_else  = bvalid && (posting || posted_q) && !b_ours;
 
     assign awvalid = aw_q;
     assign wvalid  = w_q;
@@ -98,12 +104,12 @@ module de1sim_hps_axi #(
 
     de1sim_hps_port #(.FULL(FULL)) port (
         .clk_i(clk), .size_i(size_i),
-        .begins_o(begins), .ends_i(b_ends || r_ends), .reset_o(reset),
+        .begins_o(begins), .ends_i(b_ends || r_ends || posted), .reset_o(reset),
         .waits_i({beat_q, seen_q, wrong_q == 4'd0 || is_sending ? lacks : wrong_q})
     );
 
 `ifdef DE1SIM_LISTS
-    wire unused = &{1'b0, rdata, bresp, rresp, begins, reset, lacks};
+    wire unused = &{1'b0, rdata, bresp, rresp, begins, reset, lacks, b_else};
 `else
     `include "de1sim_hps_bridge.vh"
 
@@ -133,7 +139,7 @@ module de1sim_hps_axi #(
         if (arvalid && arready) ar_q <= 1'b0;
         if (wlast && wready) w_q <= 1'b0;
         if (w_next) beat_q <= beat_q + 4'd1;
-        if (open_q && write && bvalid && wrong_q == 4'd0 && !b_ends)
+        if (b_ours && wrong_q == 4'd0 && !b_ends)
             {wrong_q, seen_q} <= bid == id ? {EARLY_BVALID, 8'd0, beat_q} : {BID, bid};
         if (r_ours) begin
             de1sim_hps_answered({28'd0, beat_q}, rdata);
@@ -143,8 +149,11 @@ module de1sim_hps_axi #(
             if (!rlast && !is_last) beat_q <= beat_q + 4'd1;
         end else if (reads) {wrong_q, seen_q} <= {RID, rid};
         if (b_ends && bresp != 2'd0) de1sim_hps_refused({30'd0, bresp});
-        if (b_ends || r_ends) open_q <= 1'b0;
-        if (reset) {aw_q, w_q, ar_q, open_q} <= 4'b0000;
+        if (posted || b_else)
+            posted_q <= de1sim_hps_posted(FULL != 0, posted, b_else, {20'd0, bid}, {30'd0, bresp})
+                        != 0;
+        if (b_ends || r_ends || posted) open_q <= 1'b0;
+        if (reset) {aw_q, w_q, ar_q, open_q, posted_q} <= 5'b00000;
     end
     // verilator lint_on BLKSEQ
 `endif

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "sim/chip/axi_bursts.h"
 #include "sim/hps/bridge_windows.h"
@@ -20,6 +23,11 @@ constexpr std::uint64_t LONGEST_PS = 20'000'000'000;  // 20 ms
 std::uint64_t next_event_ps() {
     return (sc_time_stamp() + sc_core::sc_time_to_pending_activity()).value();
 }
+
+constexpr unsigned PROCESSORS = 2;  // an ID's port
+constexpr unsigned SLOTS = 3;       // of the L2 cache's store buffer
+// A posted write's effects are looked for after so long, then after twice that, and so on.
+const sc_time soon{100, sc_core::SC_NS}, late{32, sc_core::SC_US};
 
 constexpr unsigned FIXED = 0, INCR = 1;  // AxBURST
 
@@ -41,6 +49,16 @@ BridgeBurst with_beats(const AxiBurst& burst, bool full, bool write, unsigned wi
     return made;
 }
 
+std::string error_of(const BridgeBurst& answer) {
+    return std::string{answer.write ? "BRESP" : "RRESP"} +
+           (answer.error == BridgeBurst::DECERR ? " DECERR" : " SLVERR");
+}
+
+// "write to 0xFF200010".
+std::string named(const BridgeBurst& write) {
+    return fmt::format("write to 0x{:08X}", (write.full ? H2F_BASE : LW_BASE) + write.address);
+}
+
 void take_answer(const BridgeBurst& burst, std::uint8_t* data) {
     for (unsigned n = 0; n < burst.beats; ++n) {
         const BridgeBurst::Beat& beat = burst.beat[n];
@@ -58,16 +76,22 @@ FpgaBridges::FpgaBridges(const sc_core::sc_module_name& name, FpgaChip& fpga, Bu
     lw.register_b_transport(this, &FpgaBridges::lightweight_transport);
     h2f.register_b_transport(this, &FpgaBridges::full_transport);
     lw.register_get_direct_mem_ptr(this, &FpgaBridges::direct_in_lightweight);
+    SC_HAS_PROCESS(FpgaBridges);
+    SC_METHOD(look_at_posted);
+    sensitive << look_at_posted_;
+    dont_initialize();
     h2f.register_get_direct_mem_ptr(this, &FpgaBridges::direct_in_full);
 }
 
 unsigned FpgaBridges::id_of(bool write, const AxiAttributes& how) {
-    constexpr unsigned PROCESSORS = 2, DMA = 1;
+    constexpr unsigned DMA = 1;
     if (how.master == AxiAttributes::Master::DMA) return how.channel << 3 | DMA;
     if (!write) return (reads_++ % 4 << 2 | 3) << 3 | PROCESSORS;
     if (how.cache == AxiAttributes::STRONGLY_ORDERED) return PROCESSORS;
-    return ((writes_++ % 3 + 1) << 2 | 1) << 3 | PROCESSORS;
+    return id_of_slot();
 }
+
+unsigned FpgaBridges::id_of_slot() { return ((writes_++ % SLOTS + 1) << 2 | 1) << 3 | PROCESSORS; }
 
 // The clock in which an access begins, or the time has come; not before the last one has ended.
 std::uint64_t FpgaBridges::start_of(const sc_time& time) const {
@@ -75,39 +99,98 @@ std::uint64_t FpgaBridges::start_of(const sc_time& time) const {
     return std::max<std::uint64_t>(time.value() / clock_ps * clock_ps, busy_until_ps_);
 }
 
-// Not past SystemC's next event: where that comes first, SystemC goes on to it.
+// run(until_ps) has the FPGA run to an answer, not past SystemC's next event: where that comes
+// first, SystemC goes on to it.  False: it does not answer.
+template <class Run>
+bool FpgaBridges::answers(Run run) {
+    const FpgaModel& model = fpga_.model();
+    const std::uint64_t end_ps = model.time_ps() + LONGEST_PS;
+    for (;;) {
+        const std::uint64_t until_ps = std::min(end_ps, next_event_ps());
+        if (run(until_ps)) return true;
+        if (until_ps == end_ps || model.ending().kind != FpgaModel::Ending::Kind::NONE) {
+            const std::string missing = model.waits_for();
+            why_ = missing.empty() ? "" : "its bridge waits for " + missing;
+            return false;
+        }
+        wait(picoseconds(until_ps) - sc_time_stamp());
+    }
+}
+
 tlm::tlm_response_status FpgaBridges::play(const BridgeBurst& burst, sc_time& delay) {
     FpgaModel& model = fpga_.model();
     const sc_time begin = sc_time_stamp() + delay;
     fpga_.run_to(std::max<std::uint64_t>(begin.value(), busy_until_ps_));
     model.begin(burst);
-    const std::uint64_t begin_ps = model.time_ps(), end_ps = begin_ps + LONGEST_PS;
-    for (;;) {
-        const std::uint64_t until_ps = std::min(end_ps, next_event_ps());
-        if (fpga_.run_to_answer(until_ps)) break;
-        if (until_ps == end_ps || model.ending().kind != FpgaModel::Ending::Kind::NONE) {
-            const std::string missing = model.waits_for();
-            why_ = missing.empty() ? "" : "its bridge waits for " + missing;
-            return tlm::TLM_INCOMPLETE_RESPONSE;
-        }
-        wait(picoseconds(until_ps) - sc_time_stamp());
-    }
+    const std::uint64_t begin_ps = model.time_ps();
+    if (!answers([this](std::uint64_t until_ps) { return fpga_.run_to_answer(until_ps); }))
+        return tlm::TLM_INCOMPLETE_RESPONSE;
     const std::uint64_t took_ps = model.time_ps() - begin_ps;
     if (!burst.full && took_ps <= FpgaModel::LONGEST_ACCESS * fpga_.phases().clock_ps())
         took_ps_[burst.write] = took_ps;
     delay = std::max(picoseconds(model.time_ps()), sc_time_stamp()) - sc_time_stamp();
     fpga_.notify_processor();
-    const unsigned error = model.answer().error;
-    if (error <= BridgeBurst::EXOKAY) return tlm::TLM_OK_RESPONSE;
-    why_ = std::string{burst.write ? "BRESP" : "RRESP"} +
-           (error == BridgeBurst::DECERR ? " DECERR" : " SLVERR");
+    if (model.answer().error <= BridgeBurst::EXOKAY) return tlm::TLM_OK_RESPONSE;
+    why_ = error_of(model.answer());
     return tlm::TLM_GENERIC_ERROR_RESPONSE;
+}
+
+// It begins when SystemC's time has come to the processor's, so that it counts from then on without
+// anybody who waits for it.
+tlm::tlm_response_status FpgaBridges::post(BridgeBurst burst, sc_time& delay) {
+    FpgaModel& model = fpga_.model();
+    if (delay > sc_core::SC_ZERO_TIME) wait(std::exchange(delay, sc_core::SC_ZERO_TIME));
+    const tlm::tlm_response_status status = leave_posted(SLOTS - 1, delay);
+    if (status != tlm::TLM_OK_RESPONSE) return status;
+    burst.posted = true;
+    while (model.has_posted(burst.id)) burst.id = id_of_slot();
+    model.begin(burst);
+    posted_at_ = sc_time_stamp();
+    look_again_ = soon;
+    look_at_posted_.notify(look_again_);
+    return tlm::TLM_OK_RESPONSE;
+}
+
+// Waits until at most so many posted writes are not answered.
+tlm::tlm_response_status FpgaBridges::leave_posted(unsigned most, sc_time& delay) {
+    FpgaModel& model = fpga_.model();
+    const sc_time begin = sc_time_stamp() + delay;
+    fpga_.run_to(begin.value());
+    if (!model.posted()) return tlm::TLM_OK_RESPONSE;
+    const bool answered =
+        answers([&](std::uint64_t until_ps) { return fpga_.run_to_posted(until_ps, most); });
+    notify_of_refused();
+    delay = std::max({picoseconds(model.time_ps()), begin, sc_time_stamp()}) - sc_time_stamp();
+    if (answered) return tlm::TLM_OK_RESPONSE;
+    why_ += ", of the posted " + named(*model.posted());
+    return tlm::TLM_INCOMPLETE_RESPONSE;
+}
+
+// At their effects, too, which come some clocks after their answers.
+void FpgaBridges::look_at_posted() {
+    const FpgaModel& model = fpga_.model();
+    fpga_.run_to(sc_time_stamp().value());
+    notify_of_refused();
+    if (model.posted() && sc_time_stamp() - posted_at_ > picoseconds(LONGEST_PS))
+        return posted_failure_(fmt::format("the posted {} is not answered: its bridge waits for {}",
+                                           named(*model.posted()), model.waits_for()),
+                               BridgeBurst::OKAY);
+    if (!model.posted() && look_again_ > 4 * soon) return;
+    look_again_ = std::min(2 * look_again_, late);
+    look_at_posted_.notify(look_again_);
+}
+
+void FpgaBridges::notify_of_refused() {
+    while (const auto burst = fpga_.model().refused())
+        posted_failure_(fmt::format("the design answered the posted {} with an error: {}",
+                                    named(*burst), error_of(*burst)),
+                        burst->error);
 }
 
 bool FpgaBridges::peek(bool full, std::uint32_t address, std::uint8_t* bytes, unsigned count) {
     FpgaModel& model = fpga_.model();
     const unsigned width = model.bridge_width(full) / 8;
-    if (width == 0) return false;
+    if (width == 0 || !model.run_to_posted(model.time_ps() + LONGEST_PS, 0)) return false;
     model.begin(with_beats(long_burst(address, count, 0), full, false, width, bytes));
     if (!model.run_to_answer(model.time_ps() + LONGEST_PS)) return false;
     take_answer(model.answer(), bytes);
@@ -173,6 +256,11 @@ void FpgaBridges::full_transport(tlm::tlm_generic_payload& tx, sc_time& delay) {
     transport(true, tx, delay);
 }
 
+bool FpgaBridges::is_posted(bool write, const AxiAttributes& how) const {
+    return write && how.cache != AxiAttributes::STRONGLY_ORDERED && !how.exclusive &&
+           how.master == AxiAttributes::Master::PROCESSOR && fpga_.model().takes_posted();
+}
+
 void FpgaBridges::transport(bool full, tlm::tlm_generic_payload& tx, sc_time& delay) {
     const unsigned bytes = tx.get_data_length(), width = fpga_.model().bridge_width(full) / 8;
     calm_until_ps_ = 0;
@@ -203,7 +291,8 @@ void FpgaBridges::transport(bool full, tlm::tlm_generic_payload& tx, sc_time& de
     const std::vector<AxiBurst> parts = bursts_ == Bursts::LONG
                                             ? std::vector<AxiBurst>{}
                                             : axi_bursts(address, bytes, write, how, width);
-    tlm::tlm_response_status status = tlm::TLM_OK_RESPONSE;
+    tlm::tlm_response_status status =
+        is_posted(write, how) ? tlm::TLM_OK_RESPONSE : leave_posted(0, delay);
     for (unsigned done = 0, n = 0; done < bytes && status == tlm::TLM_OK_RESPONSE; ++n) {
         if (done && delay >= sc_core::sc_time_to_pending_activity()) {
             wait(delay);
@@ -237,6 +326,7 @@ tlm::tlm_response_status FpgaBridges::carry(const AxiBurst& part, const Transfer
     burst.cache = how.cache;
     burst.prot = how.prot;
     burst.lock = how.exclusive ? 1 : 0;
+    if (is_posted(write, how)) return post(burst, delay);
     const tlm::tlm_response_status status = play(burst, delay);
     how.exclusive_taken = model.answer().error == BridgeBurst::EXOKAY;
     if (!write && status == tlm::TLM_OK_RESPONSE) take_answer(model.answer(), data + part.first);

@@ -17,22 +17,27 @@
 // writes to Device and Normal memory, 0 for Strongly-ordered ones; here each in turn.  Of the DMA
 // controller it is the channel.
 //
+// The processor's writes to Device and Normal memory are posted, where the model takes that: the
+// transaction is OK at once, and up to three such bursts, as many as the L2 cache's store buffer
+// has slots, are under way together.  The next one waits for a slot; every other access waits for
+// all of them, which keeps the program's order.  While any is under way the FPGA is looked at more
+// often, so that interrupts that they change come soon.
+//
 // An error that the FPGA answers by BRESP or RRESP is TLM_GENERIC_ERROR, and ends the transaction.
 // Where it does not answer within 20 ms of simulated time the transaction is TLM_INCOMPLETE: the
-// board's processor would hang for ever.
+// board's processor would hang for ever.  Of a posted write it is notified: on_posted_failure().
 //
 // Sources: Intel, "How do I decode the AXI ID fields from the HPS-FPGA bridges"; Cyclone V HPS TRM,
-// "HPS Peripheral Master Input IDs"; Cortex-A9 MPCore TRM (ARM DDI 0407I), 2.3.3.
+// "HPS Peripheral Master Input IDs"; Cortex-A9 MPCore TRM (ARM DDI 0407I), 2.3.3; of the L2
+// cache, the same in both chips, AMD UG585 (Zynq-7000), "Store Buffer Operation".
 //
 // LDREX and STREX have AxLOCK 1.  The answer to STREX decides whether it succeeds: EXOKAY, or OKAY
 // of a slave that does not keep exclusive accesses apart, and then it fails each time.
 //
-// Not handled: posted writes, and bursts that overlap: the processor waits for each answer.  The
-// board's does so, too, for Strongly-ordered memory, which is all that a program without
-// translation tables reaches, and one of Linux by /dev/mem.  After a store to Device or Normal
-// memory it goes on.  For that the processor would have to run ahead of an answer whose time and
-// error only the design's clocks tell, and be taken back where the order is another.  That the
-// store buffer's slots write with the IDs that the TRM gives them for reads is not documented.
+// Not handled: the processor's own store buffer before the L2 cache's, which holds some stores
+// more; loads from Normal memory that overlap, with others or with stores.  Writes of kernel
+// modules under the emulated Linux, and all on this project's own computer, are not posted.  That
+// the store buffer's slots write with the IDs that the TRM gives them for reads is not documented.
 #pragma once
 
 #include <cstdint>
@@ -74,6 +79,10 @@ public:
             written;
     };
     void set_copy(Copy copy);
+    // Of a posted write: its answer is an error (BridgeBurst::SLVERR or DECERR), or it has none 20
+    // ms after the last one was posted; then `error` is OKAY.
+    using PostedFailure = std::function<void(const std::string& what, unsigned error)>;
+    void on_posted_failure(PostedFailure notify) { posted_failure_ = std::move(notify); }
     // Of the last access that failed: "its bridge waits for rvalid", "RRESP SLVERR"; empty: not
     // known.
     const std::string& why() const { return why_; }
@@ -103,8 +112,16 @@ private:
     };
     tlm::tlm_response_status carry(const AxiBurst& part, const Transfer& transfer,
                                    AxiAttributes& how, sc_core::sc_time& delay);
+    bool is_posted(bool write, const AxiAttributes& how) const;
     unsigned id_of(bool write, const AxiAttributes& how);
+    unsigned id_of_slot();
     tlm::tlm_response_status play(const BridgeBurst& burst, sc_core::sc_time& delay);
+    tlm::tlm_response_status post(BridgeBurst burst, sc_core::sc_time& delay);
+    tlm::tlm_response_status leave_posted(unsigned most, sc_core::sc_time& delay);
+    template <class Run>
+    bool answers(Run run);
+    void look_at_posted();
+    void notify_of_refused();
     std::uint64_t start_of(const sc_core::sc_time& time) const;
 
     FpgaChip& fpga_;
@@ -117,7 +134,9 @@ private:
     // Until then no register changes, provided that FpgaChip::batches() is still calm_batches_.
     std::uint64_t calm_until_ps_ = 0, calm_batches_ = 0;
     std::uint64_t took_ps_[2] = {0, 0};  // the last read of a register, the last write
-    sc_core::sc_event never_, free_;
+    sc_core::sc_event never_, free_, look_at_posted_;
+    PostedFailure posted_failure_ = [](const std::string&, unsigned) {};
+    sc_core::sc_time posted_at_, look_again_;  // the last write; after so long
 };
 
 }  // namespace sim

@@ -57,6 +57,13 @@ bool FpgaChip::run_to_answer(std::uint64_t until_ps) {
     return is_answered;
 }
 
+bool FpgaChip::run_to_posted(std::uint64_t until_ps, unsigned most) {
+    is_running_ = true;
+    const bool is_answered = model_.run_to_posted(until_ps, most);
+    is_running_ = false;
+    return is_answered;
+}
+
 void FpgaChip::catch_up() {
     run_to(sc_core::sc_time_stamp().value());
     model_.flush();

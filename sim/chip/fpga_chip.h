@@ -58,8 +58,9 @@ public:
     void run_to(std::uint64_t time_ps);
     // How often that was done.
     std::uint64_t batches() const { return batches_; }
-    // FpgaModel::run_to_answer().
+    // FpgaModel::run_to_answer(), run_to_posted().
     bool run_to_answer(std::uint64_t until_ps);
+    bool run_to_posted(std::uint64_t until_ps, unsigned most);
     // It is called by the model that runs.
     bool is_running() const { return is_running_; }
     // Each is called whenever its value has changed.

@@ -52,6 +52,10 @@ ProjectComputer::ProjectComputer(const sc_core::sc_module_name& name, PinListene
                 answer == tlm::TLM_INCOMPLETE_RESPONSE || answer == tlm::TLM_GENERIC_ERROR_RESPONSE;
             return known && !bridges.why().empty() ? what + ": " + bridges.why() : what;
         });
+    bridges.on_posted_failure([this](const std::string& what, unsigned error) {
+        if (error == BridgeBurst::OKAY) return observer_.log(what);
+        cpu.asynchronous_abort(what, error == BridgeBurst::SLVERR);
+    });
     for (const char* bridge : {"h2f", "lw"})
         bus.on_answered(bridge, [this](std::uint32_t address, unsigned, bool write) {
             if (!cpu.is_inspected()) report_stray(address, write);

@@ -50,7 +50,7 @@ public:
     // At a WFI: true if there is nothing to wait for, so that run() goes on.  (Unicorn's core calls
     // neither this nor unmasked().)
     virtual bool passes_wfi() { return false; }
-    // An instruction clears CPSR.I or F.
+    // An instruction clears CPSR.A, I or F.
     virtual void unmasked() {}
 
 protected:

@@ -1,6 +1,7 @@
 #include "sim/cpu/arm_cpu.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -62,7 +63,7 @@ void ArmCpu::sleep(const sc_time& at_most) {
     time_.ahead() = SC_ZERO_TIME;
     asleep_since_ = sc_core::sc_time_stamp();
     asleep_ = true;
-    if (!irq_ && !fiq_ && !reset_) {
+    if (!irq_ && !fiq_ && !abort_ && !reset_) {
         if (at_most == SC_ZERO_TIME)
             wait(wake_);
         else
@@ -111,6 +112,15 @@ void ArmCpu::interrupt(bool irq, bool fiq) {
     if (running_) core_.stop_soon();
 }
 
+void ArmCpu::asynchronous_abort(const std::string& what, bool slave_error) {
+    if (core_.cpsr() & arm_cpsr::A)
+        log_(what + "; the processor masks asynchronous aborts (CPSR.A), and goes on");
+    abort_ = {what, fault_status::ASYNCHRONOUS | fault_status::WRITE |
+                        (slave_error ? fault_status::SLAVE_ERROR : 0)};
+    wake_.notify(SC_ZERO_TIME);
+    if (running_) core_.stop_soon();
+}
+
 void ArmCpu::warm_reset() {
     reset_ = true;
     wake_.notify(SC_ZERO_TIME);
@@ -126,6 +136,7 @@ void ArmCpu::hold_in_reset(bool held) {
 
 void ArmCpu::start() {
     reset_ = false;
+    abort_.reset();
     stores_.forget_page();
     runaway_.reset();
     handlers_.reset();
@@ -193,18 +204,23 @@ bool ArmCpu::quantum_ends() const {
 }
 
 std::optional<ArmException> ArmCpu::pending_interrupt() const {
+    if (abort_ && !(core_.cpsr() & arm_cpsr::A)) return ArmException::ASYNCHRONOUS_ABORT;
     if (fiq_ && !(core_.cpsr() & arm_cpsr::F)) return ArmException::FIQ;
     if (irq_ && !(core_.cpsr() & arm_cpsr::I)) return ArmException::IRQ;
     return std::nullopt;
 }
 
 void ArmCpu::unmasked() {
-    if (irq_ || fiq_) core_.stop_soon();
+    if (irq_ || fiq_ || abort_) core_.stop_soon();
 }
 
 void ArmCpu::take_interrupt() {
-    if (const auto exception = pending_interrupt())
-        raise(*exception, 0, *exception == ArmException::FIQ ? "FIQ" : "IRQ");
+    const auto exception = pending_interrupt();
+    if (!exception) return;
+    if (*exception != ArmException::ASYNCHRONOUS_ABORT)
+        return raise(*exception, 0, *exception == ArmException::FIQ ? "FIQ" : "IRQ");
+    const Abort abort = *std::exchange(abort_, std::nullopt);
+    raise(*exception, abort.status, "asynchronous data abort: " + abort.what);
 }
 
 void ArmCpu::handle(ArmStop stop) {
@@ -268,17 +284,18 @@ std::string ArmCpu::where() const {
 }
 
 void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::string& what) {
-    const bool asynchronous = exception == ArmException::IRQ || exception == ArmException::FIQ;
+    const bool asynchronous = is_asynchronous(exception);
     if (!asynchronous && inspector_ && exception != ArmException::SVC &&
         inspector_->on_exception(core_, exception, core_.fault()))
         return;
     if (kernel_ && !asynchronous) return kernel_->exception(core_, exception, core_.fault(), what);
-    const bool abort =
-        exception == ArmException::DATA_ABORT || exception == ArmException::PREFETCH_ABORT;
+    const bool abort = exception == ArmException::DATA_ABORT ||
+                       exception == ArmException::PREFETCH_ABORT ||
+                       exception == ArmException::ASYNCHRONOUS_ABORT;
     const bool abnormal = abort || exception == ArmException::UNDEFINED;
     if (abnormal)
         if (const auto astray = runaway_.in_data(what)) return fail_runaway(*astray);
-    counts_.interrupts += asynchronous;
+    counts_.interrupts += asynchronous && !abort;
     counts_.aborts += abort;
     const std::uint32_t sp = core_.reg(13);
     const bool push = exception == ArmException::DATA_ABORT && sp - core_.fault().address <= PUSHED;

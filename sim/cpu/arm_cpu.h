@@ -155,6 +155,7 @@ public:
 
     void interrupt(bool irq, bool fiq) override;
     bool irq() const { return irq_; }
+    void asynchronous_abort(const std::string& what, bool slave_error) override;
     void warm_reset() override;
     void hold_in_reset(bool held) override;
     // A WFI or WFE; and has a kernel that waits look again.
@@ -221,7 +222,7 @@ private:
     bool write(std::uint32_t address, unsigned bytes, std::uint32_t value) override;
     bool write_normal(std::uint32_t address, unsigned bytes, std::uint32_t value) override;
     bool exclusive_stored() override;
-    bool passes_wfi() override { return irq_ || fiq_ || reset_; }
+    bool passes_wfi() override { return irq_ || fiq_ || abort_ || reset_; }
     void unmasked() override;
 
     static sc_core::sc_time wait_timeout() { return {1, sc_core::SC_US}; }
@@ -289,6 +290,11 @@ private:
     sc_core::sc_process_handle process_;  // run()
     bool running_ = false;                // in ArmCore::run()
     bool waited_ = false;                 // in an access, so the quantum ends with it
+    struct Abort {
+        std::string what;
+        std::uint32_t status;
+    };
+    std::optional<Abort> abort_;  // asynchronous, and not taken yet
     bool irq_ = false, fiq_ = false, reset_ = false, held_ = false;
     bool asleep_ = false, ended_ = false;
     sc_core::sc_time asleep_since_;

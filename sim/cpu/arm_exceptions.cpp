@@ -19,7 +19,8 @@ Entry entry_of(ArmException exception) {
         case ArmException::UNDEFINED: return {0x04, arm_mode::UND, I, 4, 2};
         case ArmException::SVC: return {0x08, arm_mode::SVC, I, 0, 0};
         case ArmException::PREFETCH_ABORT: return {0x0C, arm_mode::ABT, I | A, 4, 4};
-        case ArmException::DATA_ABORT: return {0x10, arm_mode::ABT, I | A, 8, 8};
+        case ArmException::DATA_ABORT:
+        case ArmException::ASYNCHRONOUS_ABORT: return {0x10, arm_mode::ABT, I | A, 8, 8};
         case ArmException::IRQ: return {0x18, arm_mode::IRQ, I | A, 4, 4};
         case ArmException::FIQ: break;
     }
@@ -46,7 +47,9 @@ void enter(ArmCore& core, ArmException exception, std::uint32_t status, std::uin
     const std::uint32_t was = core.cpsr(), control = core.cp15(cp15::SCTLR);
     const std::uint32_t link =
         core.pc() + (was & arm_cpsr::T ? entry.thumb_return : entry.arm_return);
-    if (exception == ArmException::DATA_ABORT) {
+    if (exception == ArmException::ASYNCHRONOUS_ABORT) {
+        core.set_cp15(cp15::DFSR, status);
+    } else if (exception == ArmException::DATA_ABORT) {
         core.set_cp15(cp15::DFSR, status);
         core.set_cp15(cp15::DFAR, address);
     } else if (exception == ArmException::PREFETCH_ABORT) {

@@ -5,6 +5,7 @@
 //   SVC              SVC   +0x08   after the instruction            I
 //   prefetch abort   ABT   +0x0C   the instruction + 4              I A, IFSR, IFAR
 //   data abort       ABT   +0x10   the instruction + 8              I A, DFSR, DFAR
+//   the same, asynchronous         the next instruction + 8         I A, DFSR
 //   IRQ              IRQ   +0x18   the next instruction + 4         I A
 //   FIQ              FIQ   +0x1C   the next instruction + 4         I A F
 //
@@ -19,13 +20,25 @@
 
 namespace sim {
 
-enum class ArmException { UNDEFINED, SVC, PREFETCH_ABORT, DATA_ABORT, IRQ, FIQ };
+enum class ArmException {
+    UNDEFINED,
+    SVC,
+    PREFETCH_ABORT,
+    DATA_ABORT,
+    ASYNCHRONOUS_ABORT,
+    IRQ,
+    FIQ
+};
 
-// Fault status: an abort from the bus (synchronous external, not on a table walk), one from the
-// translation tables, an unaligned access, a BKPT instruction.
+inline bool is_asynchronous(ArmException exception) {
+    return exception >= ArmException::ASYNCHRONOUS_ABORT;
+}
+
+// Fault status: an abort from the bus (external, not on a table walk; synchronous or not, by SLVERR
+// or by DECERR), one from the translation tables, an unaligned access, a BKPT instruction.
 namespace fault_status {
 constexpr std::uint32_t ALIGNMENT = 0x1, EXTERNAL = 0x8, TRANSLATION = 0x5, DEBUG = 0x2,
-                        WRITE = 1u << 11;
+                        ASYNCHRONOUS = 0x406, WRITE = 1u << 11, SLAVE_ERROR = 1u << 12;
 }
 
 std::uint32_t vector_of(const ArmCore& core, ArmException exception);

@@ -44,9 +44,7 @@ void ArmHandlers::leave() {
 }
 
 bool ArmHandlers::happens_again(ArmException exception) {
-    if (exception == ArmException::IRQ || exception == ArmException::FIQ ||
-        exception == ArmException::SVC)
-        return false;
+    if (is_asynchronous(exception) || exception == ArmException::SVC) return false;
     const std::uint32_t mode = core_.cpsr() & arm_cpsr::MODE;
     const bool nested =
         mode == (exception == ArmException::UNDEFINED ? arm_mode::UND : arm_mode::ABT);

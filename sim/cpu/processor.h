@@ -40,6 +40,9 @@ public:
 
     // The levels of the interrupt controller's two wires.
     virtual void interrupt(bool /*irq*/, bool /*fiq*/) {}
+    // An asynchronous external abort: the bus has refused a write after the program went on; by
+    // SLVERR if `slave_error`, else by DECERR.
+    virtual void asynchronous_abort(const std::string& /*what*/, bool /*slave_error*/) {}
     // A warm reset, as the reset manager or a watchdog asks for.
     virtual void warm_reset() {}
     // After a reset it does not start before this ends, as a request of the FPGA that is held.

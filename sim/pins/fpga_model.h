@@ -31,6 +31,7 @@ struct BridgeBurst {
     unsigned id, lock, cache, prot;  // AxID, AxLOCK, AxCACHE, AxPROT
     unsigned error;                  // BRESP or RRESP if it is not OKAY: a Response
     std::array<Beat, BEATS> beat;
+    bool posted = false;  // a write for whose answer nobody waits
 };
 
 // A peripheral of the processor's that has signals in the FPGA.  Their bits, from 0 on:
@@ -89,7 +90,7 @@ public:
 
     // Bits of a bridge's bus in the FPGA; 0: nothing is behind it.
     virtual unsigned bridge_width(bool full) const = 0;
-    // Begins a burst, at the time up to which run() has come; one at a time.
+    // Begins a burst, at the time up to which run() has come; one at a time, but for posted writes.
     virtual void begin(const BridgeBurst& burst) = 0;
     // As run(), but ends with the clock edge that brings the answer; false: there is none so far.
     virtual bool run_to_answer(std::uint64_t until_ps) = 0;
@@ -98,6 +99,17 @@ public:
     // For what the last burst waits: "awready", "rvalid of word 2 of a burst of 8"; empty: not
     // known.
     virtual std::string waits_for() const { return {}; }
+
+    // Whether a burst may be posted.  Posted writes follow each other without an answer, and may be
+    // answered in any order; nothing else is begun before the last of them is answered.
+    virtual bool takes_posted() const { return false; }
+    // The oldest that is not answered, or nullptr; and whether one of this ID is not.
+    virtual const BridgeBurst* posted() const { return nullptr; }
+    virtual bool has_posted(unsigned /*id*/) const { return false; }
+    // As run(), but ends with the clock edge that leaves `most` of them; false: there are more.
+    virtual bool run_to_posted(std::uint64_t /*until_ps*/, unsigned /*most*/) { return true; }
+    // One whose answer is an error; each is given once.
+    virtual std::optional<BridgeBurst> refused() { return {}; }
 
     // ---- The processor's other signals; those that a design has not do nothing ----
 

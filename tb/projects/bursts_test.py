@@ -91,6 +91,46 @@ always @(posedge clk) begin
 end
 endmodule
 """
+# Takes single words, up to three before it answers, and then answers the last first: when there are
+# three, or 64 clocks after the first.  Prints A with ID, address, and how many it has by then; B
+# with the ID.  With SLVERR where bit 14 of the address is 1, with DECERR where bit 13 is, too.
+LATE = """module recorder #(parameter BYTES = 4, BITS = 21, WRONG = 0, LAST = 0) (
+    input clk,
+    input [11:0] awid, input [BITS-1:0] awaddr, input [3:0] awlen, input [2:0] awsize,
+    input [1:0] awburst, awlock, input [3:0] awcache, input [2:0] awprot, input awvalid,
+    output awready,
+    input [11:0] wid, input [8*BYTES-1:0] wdata, input [BYTES-1:0] wstrb, input wlast, wvalid,
+    output wready, output reg [11:0] bid, output reg [1:0] bresp, output reg bvalid,
+    input [11:0] arid, input [BITS-1:0] araddr, input [3:0] arlen, input [2:0] arsize,
+    input [1:0] arburst, arlock, input [3:0] arcache, input [2:0] arprot, input arvalid,
+    output arready,
+    output reg [11:0] rid, output [8*BYTES-1:0] rdata, output [1:0] rresp, output rlast,
+    output reg rvalid);
+reg [13:0] held [0:3];
+reg [1:0] n = 0;
+reg [6:0] waited = 0;
+initial {bvalid, rvalid} = 0;
+assign awready = n != 3 && waited < 64 && awvalid && wvalid, wready = awready, arready = 1;
+assign rdata = 5, rresp = 0, rlast = 1;
+always @(posedge clk) begin
+    {rvalid, rid} <= {arvalid, arid};
+    if (arvalid) $display("R %h", arid);
+    bvalid <= 0;
+    if (awready) begin
+        $display("A %h %h %0d", awid, awaddr, n + 1);
+        held[n] <= {awaddr[14], awaddr[14] & awaddr[13], awid ^ WRONG[11:0]};
+        n <= n + 1;
+        waited <= n == 2 ? 64 : waited + 1;
+    end else if (n != 0 && waited < 64) waited <= waited + 1;
+    else if (n != 0) begin
+        {bvalid, bresp, bid} <= {1'b1, held[n - 1]};
+        $display("B %h", held[n - 1][11:0]);
+        n <= n - 1;
+        if (n == 1) waited <= 0;
+    end
+end
+endmodule
+"""
 PORTS = ("awid awaddr awlen awsize awburst awlock awcache awprot awvalid awready wid wdata wstrb "
          "wlast wvalid wready bid bresp bvalid arid araddr arlen arsize arburst arlock arcache "
          "arprot arvalid arready rid rdata rresp rlast rvalid").split()
@@ -134,7 +174,8 @@ class Bursts(SystemCase):
         """What is printed when the program has done that."""
         self.program(body, HEAD)
         done = self.played("delay: 30ms", code=code)
-        return [line for line in done.stdout.splitlines() if line[0] in "RW"] if not code else done
+        lines = [line for line in done.stdout.splitlines() if line[0] in "ABRW"]
+        return done if code else lines
 
     def test_strongly_ordered_memory(self):
         self.recorders()
@@ -273,6 +314,64 @@ R32(0xFFE01D08) = 0xA0 << 16 | 5 << 24; R32(0xFFE01D0C) = (uint32_t)code; R32(0x
             done = self.bursts(access, code=1)
             self.assertIn("the design did not answer: its bridge waits for " + what, done.stderr)
 
+    def test_writes_to_device_and_normal_memory_are_posted(self):
+        """Up to three, also over both bridges; Strongly-ordered ones, and reads, wait for all."""
+        self.recorders(slave=LATE)
+        write = "R32(0xC0200000) = 1; R32(0xC0200008) = 2; R32(0xC0200010) = 3; "
+        self.assertEqual(self.bursts("map(); " + write + "R32(0xC0200018) = 4; "
+                                     "(void)R32(0xC0200020); R32(0xC0000000) = 5;"), [
+            "A 02a 00200000 1", "A 04a 00200008 2", "A 06a 00200010 3", "B 06a", "B 04a", "B 02a",
+            "A 06a 00200018 1", "B 06a", "R 01a", "A 002 00000000 1", "B 002"])
+        self.assertEqual(self.bursts("map(); table[0xFF2] |= 1 << 2; R32(0xC0200000) = 1; "
+                                     "R32(0xFF200008) = 2; R32(0xC0000010) = 3;"), [
+            "A 02a 00200000 1", "A 04a 000008 1", "B 02a", "B 04a", "A 002 00000010 1", "B 002"])
+
+    # Vectors: of a data abort one that shows DFSR and the word before the address to return to.
+    VECTORS = """__attribute__((naked)) static void aborted(void) {
+    __asm__ volatile("mrc p15, 0, r0, c5, c0, 0\\nsub r1, lr, #8\\nldr r2, =0xC0000040\\n"
+                     "str r0, [r2]\\nmrs r0, cpsr\\nstr r1, [r2, #8]\\nsubs pc, lr, #8");
+}
+static uint32_t vectors[16] __attribute__((aligned(64)));
+static void install(void) {
+    for (int n = 0; n < 8; ++n) vectors[n] = 0xE59FF018;
+    vectors[12] = (uint32_t)aborted;
+    __asm__ volatile("mcr p15, 0, %0, c12, c0, 0\\nisb" :: "r"(vectors));
+}
+"""
+
+    def test_a_refused_posted_write_is_an_asynchronous_abort(self):
+        self.recorders()
+        for address, status in (0xC0204000, "1c06"), (0xC0206000, "0c06"):
+            self.program("map(); install(); __asm__ volatile(\"cpsie a\"); "
+                         f"R32({address:#x}) = 1; for (volatile int n = 0; n < 1000; n++) {{}}\n"
+                         "R32(0xC0000100) = 6;", HEAD + self.VECTORS)
+            done = self.played("delay: 5ms")
+            lines = [line for line in done.stdout.splitlines() if line[0] == "W"]
+            self.assertEqual([line[4:16] for line in lines],
+                             [f"02a {address - 0xC0000000:08x}", "002 00000040", "002 00000048",
+                              "002 00000100"], done.stderr)
+
+    def test_a_refused_posted_write_is_said_where_aborts_are_masked(self):
+        self.recorders()
+        self.program("map(); R32(0xC0204000) = 1; R32(0xC0000100) = 6;", HEAD)
+        done = self.played("delay: 5ms")
+        self.assertIn("the design answered the posted write to 0xC0204000 with an error: BRESP "
+                      "SLVERR; the processor masks asynchronous aborts (CPSR.A), and goes on",
+                      done.stderr)
+        self.assertIn(" 00000100 ", done.stdout)
+
+    def test_a_posted_write_without_an_answer(self):
+        """The program goes on until it needs the bridge."""
+        self.recorders(slave=LATE, wrong=0x7F8)
+        missing = "bvalid with ID 0x02A: the design answers with ID 0x7D2"
+        self.program("map(); R32(0xC0200000) = 1;", HEAD)
+        self.assertIn("the posted write to 0xC0200000 is not answered: its bridge waits for " +
+                      missing, self.played("delay: 30ms").stderr)
+        self.program("map(); R32(0xC0200000) = 1; (void)R32(0xFF200000);", HEAD)
+        self.assertIn("read of 4 bytes at 0xFF200000 (the design did not answer: its bridge waits "
+                      f"for {missing}, of the posted write to 0xC0200000)",
+                      self.played("delay: 30ms", code=1).stderr)
+
     def test_an_error_is_an_abort(self):
         self.recorders()
         for access, what in (("R32(0xC0004000) = 1;", "BRESP SLVERR"),
@@ -287,14 +386,16 @@ R32(0xFFE01D08) = 0xA0 << 16 | 5 << 24; R32(0xFFE01D0C) = (uint32_t)code; R32(0x
                  "its bridge waits for wready of word 2 of a burst of 2)"),
                 (1, 'str r1, [r0]") map(); R32(0xC0100000) = 1; AT(0xC0100000, "stm r0, {r1-r8}',
                  "its bridge waits for bvalid after the last word: it came at the time of word 2 "
-                 "of a burst of 4)"),
+                 "of a burst of 4"),
                 (1, "ldm r0, {r1-r4}", "read of 16 bytes at 0xC0100000 (the design did not answer: "
                  "its bridge waits for rvalid of word 2 of a burst of 4: rlast came with the one "
                  "before)"),
                 (0, "ldm r0, {r1-r4}", "its bridge waits for rvalid of word 2 of a burst of 4)"),
                 (0, "ldr r1, [r0]", "its bridge waits for rlast with the last word)")):
             self.recorders(slave=SINGLE, last=last)
-            self.assertIn(what, self.bursts(f'AT(0xC0100000, "{access}")', code=1).stderr)
+            self.program(f'AT(0xC0100000, "{access}")', HEAD)
+            posted = "map()" in access  # and nothing waits for it
+            self.assertIn(what, self.played("delay: 30ms", code=int(not posted)).stderr)
 
 
 run()

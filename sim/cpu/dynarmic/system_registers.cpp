@@ -18,7 +18,7 @@ void SystemRegisters::set_cpsr(std::uint32_t value) {
         if (is == arm_mode::USR) translated_.forget_privileged();
         if (other_rights && cpu_.floating_point_rights() == 1) translated_.forget_mappings();
     }
-    if (cpu_.cpsr() & ~value & (arm_cpsr::I | arm_cpsr::F)) bus_.unmasked();
+    if (cpu_.cpsr() & ~value & (arm_cpsr::A | arm_cpsr::I | arm_cpsr::F)) bus_.unmasked();
     cpu_.jit->SetCpsr(value);
 }
 

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -16,34 +15,21 @@
 #include "sim/project/runtime/clocks.h"
 #include "sim/project/runtime/design.h"
 #include "sim/project/runtime/endings.h"
+#include "sim/project/runtime/in_folder.h"
 #include "sim/project/runtime/jtag.h"
 #include "sim/project/runtime/masters.h"
+#include "sim/project/runtime/measured_clock.h"
 #include "sim/project/runtime/peripherals.h"
 
 namespace sim::project {
 
 namespace {
 
-constexpr std::uint64_t FS_PER_PS = 1'000, QUIET_FS = 1'000'000'000'000;  // 1 ms
+constexpr std::uint64_t FS_PER_PS = 1'000;
 // From DRAM_CLK in the FPGA to the data there: the SDRAM's tAC of 5.4 ns, and two pads.  So the
 // clock may lead by 3 ns, as the University Program has it.
 constexpr std::uint64_t DQ_DELAY_FS = 8'000'000;
-constexpr unsigned VIDEO_BATCH = 800, MOST_TURNS = 100, XCK_RISES = 128;  // to measure its period
-
-// The working directory, for as long as it lives, also where the design's files are broken.
-class InFolder {
-public:
-    explicit InFolder(const char* folder) : here_{std::filesystem::current_path()} {
-        std::filesystem::current_path(folder);
-    }
-    ~InFolder() {
-        std::error_code error;
-        std::filesystem::current_path(here_, error);
-    }
-
-private:
-    const std::filesystem::path here_;
-};
+constexpr unsigned VIDEO_BATCH = 800, MOST_TURNS = 100;
 
 Clocks* clocks_of_design = nullptr;  // of the one that is evaluated
 
@@ -78,7 +64,7 @@ public:
 
     void run(std::uint64_t until_ps) override {
         const bool is_ahead = until_ps < now_ps();  // by an access
-        if (!is_ahead && play(until_ps, false)) listener_.agenda.pass_to(until_ps);
+        if (!is_ahead && play(until_ps, {})) listener_.agenda.pass_to(until_ps);
     }
 
     unsigned bridge_width(bool full) const override {
@@ -87,17 +73,25 @@ public:
     }
 
     std::string waits_for() const override {
-        return bridge_waits_for(top_.hps_waits_o >> (bridge_burst.full ? 20 : 0));
+        return is_bridge_free()
+                   ? posted_writes.waits_for()
+                   : bridge_waits_for(top_.hps_waits_o >> (bridge_burst.full ? 20 : 0));
     }
 
     void begin(const BridgeBurst& burst) override {
-        bridge_burst = burst;
-        top_.hps_request_i ^= burst.full ? 2 : 1;
-        move_processor();
+        if (!burst.posted) return give(burst);
+        posted_writes.begin(burst);
+        if (is_bridge_free()) give_posted();
     }
+
+    bool takes_posted() const override { return true; }
+    const BridgeBurst* posted() const override { return posted_writes.oldest(); }
+    bool has_posted(unsigned id) const override { return posted_writes.has(id); }
+    std::optional<BridgeBurst> refused() override { return posted_writes.refused(); }
 
     void reset(bool active, bool cold) override {
         top_.hps_reset_i = active ? cold ? 3 : 1 : 0;
+        posted_writes.clear();
         move_processor();
     }
 
@@ -119,8 +113,13 @@ public:
     }
 
     bool run_to_answer(std::uint64_t until_ps) override {
-        if (play(until_ps, true)) listener_.agenda.pass_to(until_ps);
-        return is_answered();
+        if (play(until_ps, 0)) listener_.agenda.pass_to(until_ps);
+        return has_at_most(0);
+    }
+
+    bool run_to_posted(std::uint64_t until_ps, unsigned most) override {
+        if (play(until_ps, most)) listener_.agenda.pass_to(until_ps);
+        return has_at_most(most);
     }
 
     const BridgeBurst& answer() const override { return bridge_burst; }
@@ -136,7 +135,7 @@ public:
         if (count) {
             notify_video_clock(count);
             listener_.video(video_, count);
-        } else if (facts_.vga_used && now_fs_ - last_sample_fs_ > QUIET_FS) {
+        } else if (facts_.vga_used && now_fs_ - last_sample_fs_ > MeasuredClock::QUIET_FS) {
             listener_.video_idle(now_ps());
         }
     }
@@ -158,11 +157,12 @@ private:
     }
 
     std::uint64_t now_ps() const { return now_fs_ / FS_PER_PS; }
-    // Returns whether it has come to `until_ps`, not to the answer of an access before.
-    bool play(std::uint64_t until_ps, bool to_answer) {
+    // Returns whether it has come to `until_ps`, not to an answer before, after which at most so
+    // many bursts are under way.
+    bool play(std::uint64_t until_ps, std::optional<unsigned> most) {
         until_fs_ = until_ps * FS_PER_PS;
         look_ahead();
-        while (!to_answer || !is_answered()) {
+        while (!most || !has_at_most(*most)) {
             const std::uint64_t parts_fs = std::min(bclk_next_fs_, dq_next_fs_);
             if (std::min(clocks_.next_fs(), parts_fs) > stop_fs_ || ended()) {
                 if (agenda_fs_ > until_fs_ || ended()) return true;
@@ -178,7 +178,20 @@ private:
         return false;
     }
 
-    bool is_answered() const { return top_.hps_answer_o == top_.hps_request_i; }
+    bool is_bridge_free() const { return top_.hps_answer_o == top_.hps_request_i; }
+    bool has_at_most(unsigned bursts) const {
+        return posted_writes.count() <= bursts && (bursts || is_bridge_free());
+    }
+
+    void give(const BridgeBurst& burst) {
+        bridge_burst = burst;
+        top_.hps_request_i ^= burst.full ? 2 : 1;
+        move_processor();
+    }
+
+    void give_posted() {
+        if (const BridgeBurst* next = posted_writes.next()) give(*next);
+    }
 
     // What happens at the same time at several clocks happens in one evaluation.
     void edge() {
@@ -187,8 +200,9 @@ private:
             clocks_.edges([this](unsigned number, bool rises) { move(number, rises); });
         edges.seen ? eval() : note_pins();
         look(edges.rising_pins);
-        if (now_fs_ > xck_quiet_fs_) notify_xck(0);
+        if (xck_.stops(now_fs_)) notify_xck();
         if (look_) settle();
+        if (posted_writes.count() && is_bridge_free()) give_posted();
     }
 
     // The board moves inputs, at a time of its own.
@@ -305,7 +319,7 @@ private:
     void clocks_rise(unsigned which) {
         if (which & VGA_CLK && facts_.vga_used) sample_video();
         if (which & DRAM_CLK) look_at_sdram();
-        if (which & AUD_XCK && facts_.aud_xck_used) count_xck();
+        if (which & AUD_XCK && facts_.aud_xck_used && xck_.rises(now_fs_)) notify_xck();
     }
 
     void notify() {
@@ -350,13 +364,6 @@ private:
         if (video_count_ == VIDEO_BATCH) flush();
     }
 
-    void count_xck() {
-        if (++xck_rises_ % XCK_RISES) return;
-        const std::uint64_t before_fs = std::exchange(xck_counted_fs_, now_fs_);
-        xck_quiet_fs_ = now_fs_ + QUIET_FS;
-        if (before_fs) notify_xck((now_fs_ - before_fs) / XCK_RISES);
-    }
-
     // From enough samples for 1 %.
     void notify_video_clock(unsigned count) {
         if (count < VIDEO_BATCH / 2) return;
@@ -392,14 +399,8 @@ private:
         look_ |= controls || in.adcdat != adcdat;  // sound alone changes nothing else
     }
 
-    void notify_xck(std::uint64_t period_fs) {
-        if (period_fs == 0) {
-            xck_counted_fs_ = 0;
-            xck_quiet_fs_ = NEVER;
-        }
-        if (period_fs == xck_fs_) return;
-        xck_fs_ = period_fs;
-        listener_.xck(period_fs, now_ps(), in);
+    void notify_xck() {
+        listener_.xck(xck_.period_fs(), now_ps(), in);
         look_ = true;
     }
 
@@ -478,8 +479,7 @@ private:
     unsigned clocks_high_ = 0, pins_ = 0;
     unsigned codec_ = 0, ps2_ = 0;  // ps2_: bit n port n's clock, bit 2 + n its data
     bool sdat_low_ = false;
-    std::uint64_t xck_rises_ = 0, xck_fs_ = 0, xck_counted_fs_ = 0;  // xck_fs_: the board's period
-    std::uint64_t xck_quiet_fs_ = NEVER;  // it is held to stand still from then on
+    MeasuredClock xck_;
     std::uint64_t bclk_half_fs_ = 0, bclk_next_fs_ = NEVER;
 };
 
