@@ -14,6 +14,7 @@
 #include "sim/project/runtime/endings.h"
 #include "sim/project/runtime/masters.h"
 #include "tb/ip/random_master.h"
+#include "tb/ip/wide_port.h"
 
 namespace sim::project {
 Evaluated evaluated;
@@ -47,25 +48,6 @@ public:
 private:
     std::mt19937& random_;
 };
-
-// ---- Wide ports ----
-
-using Words = EData*;
-
-void set(Words port, unsigned first, unsigned bits, std::uint64_t value) {
-    for (unsigned n = 0; n < bits; ++n) {
-        EData& word = port[(first + n) / 32];
-        const EData bit = EData{1} << (first + n) % 32;
-        word = value >> n & 1 ? word | bit : word & ~bit;
-    }
-}
-
-std::uint64_t get(const EData* port, unsigned first, unsigned bits) {
-    std::uint64_t value = 0;
-    for (unsigned n = 0; n < bits; ++n)
-        value |= std::uint64_t{port[(first + n) / 32] >> (first + n) % 32 & 1} << n;
-    return value;
-}
 
 // ---- The bench ----
 
@@ -158,7 +140,7 @@ protected:
             if (!burst) return;
             const unsigned port = burst->write ? p.writes : p.reads;
             top.cmd_valid_i |= static_cast<CData>(1u << port);
-            Words data = &top.cmd_data_i[0];
+            EData* data = &top.cmd_data_i[0];
             const unsigned at = 60 * port;
             set(data, at, 60, 0);
             set(data, at + (burst->write ? 1 : 0), 1, 1);
@@ -182,7 +164,7 @@ protected:
                 top.wr_valid_i &= static_cast<CData>(~(1u << port));
                 if (!beat) continue;
                 if (p.is_axi) top.wr_valid_i |= static_cast<CData>(1u << port);
-                Words data = &top.wr_data_i[0];
+                EData* data = &top.wr_data_i[0];
                 set(data, at, 90, 0);
                 for (unsigned b = 0; b < bytes; ++b)
                     set(data, at + 8 * b, 8, beat->data[8 * n + b]);
