@@ -166,7 +166,12 @@ private:
         }
         Node where = value.parent();
         if (is_target(value)) return true;
-        if (kind(where) == "senitem" && text(where, "edgeType") == "POS") return use.rises = true;
+        if (kind(where) == "senitem" && text(where, "edgeType") == "POS") {
+            const bool locks = text(module_of(where), "origName") == "de1sim_pll_lock";
+            use.locks |= locks;
+            use.rises |= !locks;
+            return true;
+        }
         if (kind(where) == "and" && design_.width_of(where) == 1 && has_tap(module_of(where))) {
             value = where;
             where = where.parent();

@@ -23,13 +23,15 @@ class Clocks {
 public:
     static constexpr unsigned IS_CLOCK_50 = 64, IS_CLOCK_27 = 65;
 
-    // All begin low.  `holds`: the clocks that only pins see; not for waveforms, which show them.
+    // All begin low.  `holds`: the clocks that only pins see, and those that nothing sees; not for
+    // waveforms, which show them.
     Clocks(const DesignFacts& design, bool holds) {
         add(CLOCK_50_FS, CLOCK_50_FS, CLOCK_50_FS / 2, IS_CLOCK_50, 0,
             design.pulses && design.clock_50_only_rises);
         if (design.td_clk27_used) add(CLOCK_27_FS, CLOCK_27_FS, CLOCK_27_FS / 2, IS_CLOCK_27);
         for (unsigned n = 0; n < design.pll_clock_count; ++n) {
             const PllTimes& pll = design.pll_clocks[n];
+            if (holds && !pll.is_seen) continue;
             const bool pulses = pll.high_fs > 0 && pll.high_fs < pll.period_fs;
             const unsigned pins = holds ? pll.pins : 0;
             add(CLOCK_50_FS + pll.phase_fs, pll.period_fs, pulses ? pll.high_fs : pll.period_fs / 2,
@@ -62,7 +64,7 @@ public:
         unsigned rising_pins;  // of pins()
     };
     // Calls move(number, rises) for each that moves then and is not held: a PLL's clock, or one of
-    // the above.
+    // the above.  It returns whether the design sees that.
     template <class Move>
     Edges edges(Move move) {
         const std::uint64_t now_fs = next_fs_;
@@ -75,8 +77,7 @@ public:
                 if (clock.pins) {
                     edges.rising_pins |= clock.high ? clock.pins : 0;
                 } else {
-                    edges.seen = true;
-                    move(clock.number, clock.high);
+                    edges.seen |= move(clock.number, clock.high);
                 }
             }
             next_fs = std::min(next_fs, clock.next_fs);

@@ -45,6 +45,7 @@ struct PllTimes {
     std::uint64_t period_fs, phase_fs, high_fs;
     unsigned pins;    // bits of clocks_o, if it drives these alone; else 0
     bool only_rises;  // nothing sees its fall
+    bool is_seen;     // by anything
 };
 
 // A UART of the processor's, at the place of this number.
@@ -58,6 +59,7 @@ struct DesignFacts {
     unsigned pll_clock_count;
     bool pulses;  // a change of a clock that only rises is a pulse, else its falls have to come
     bool clock_50_only_rises;
+    bool clock_50_seen;  // by anything but PLLs that are not locked
     bool td_clk27_used, vga_used, aud_xck_used, aud_clocks_driven;
     const char* const* source_folders;  // from the project's on, for init files
     unsigned source_folder_count;

@@ -19,6 +19,7 @@
 #include "sim/project/runtime/jtag.h"
 #include "sim/project/runtime/masters.h"
 #include "sim/project/runtime/peripherals.h"
+#include "sim/project/runtime/plls.h"
 
 namespace sim::project {
 
@@ -45,8 +46,6 @@ private:
     const std::filesystem::path here_;
 };
 
-Clocks* clocks_of_design = nullptr;  // of the one that is evaluated
-
 class DesignModel final : public FpgaModel {
 public:
     DesignModel(std::unique_ptr<Design> design, const DesignFacts& facts, PinListener& pins,
@@ -63,6 +62,7 @@ public:
         set_processor_memory(settings.memory);
         evaluated = {&ending_, settings.report, 0};
         clocks_of_design = &clocks_;
+        pll_locks_waiting = 0;
         top_.pll_clocks_i = clocks_.held();
         const InFolder in_folder{settings.folder};  // where the design's files are
         eval();
@@ -184,9 +184,11 @@ private:
     void edge() {
         now_fs_ = clocks_.next_fs();
         const Clocks::Edges edges =
-            clocks_.edges([this](unsigned number, bool rises) { move(number, rises); });
-        edges.seen ? eval() : note_pins();
-        look(edges.rising_pins);
+            clocks_.edges([this](unsigned number, bool rises) { return move(number, rises); });
+        if (edges.seen || edges.rising_pins) {
+            edges.seen ? eval() : note_pins();
+            look(edges.rising_pins);
+        }
         if (now_fs_ > xck_quiet_fs_) notify_xck(0);
         if (look_) settle();
     }
@@ -204,8 +206,11 @@ private:
         stop_fs_ = std::min(agenda_fs_, until_fs_);
     }
 
-    void move(unsigned number, bool rises) {
+    // False: nothing would see it.
+    bool move(unsigned number, bool rises) {
         if (number == Clocks::IS_CLOCK_50) {
+            if (!facts_.clock_50_seen && pll_locks_waiting == 0 && trace_.file.empty())
+                return false;
             top_.clock_50_i = !top_.clock_50_i;
         } else if (number == Clocks::IS_CLOCK_27) {
             top_.clock_27_i = !top_.clock_27_i;
@@ -213,6 +218,7 @@ private:
         } else {
             top_.pll_clocks_i ^= std::uint64_t{1} << number;
         }
+        return true;
     }
 
     // The board answers what the chip does, and the chip may answer that without a clock.
@@ -491,10 +497,3 @@ FpgaModel* play(std::unique_ptr<Design> design, const DesignFacts& facts, PinLis
 }
 
 }  // namespace sim::project
-
-extern "C" void de1sim_pll_set(int number, long long period_fs, long long high_fs) {
-    if (sim::project::clocks_of_design)
-        sim::project::clocks_of_design->set(static_cast<unsigned>(number),
-                                            static_cast<std::uint64_t>(period_fs),
-                                            static_cast<std::uint64_t>(high_fs));
-}
