@@ -60,12 +60,17 @@ bool only_rises(const PllClock& clock, const Binding& binding) {
     return by.rises && !by.falls && !clock.is_settable;
 }
 
+// Of de1sim_chip.v: what a pin has that rises with CLOCK_50, while its fall is left out.
+constexpr const char* HIGH_AT_CLOCK_50 = "high_at_clock_50";
+
 // What sees CLOCK_50, but for PLLs that are not locked.
 Seen seen_of_clock_50(const Elaborated& elaborated, const Binding& binding) {
     static const std::set<std::string> CLOCKS{"CLOCK_50", "CLOCK2_50", "CLOCK3_50", "CLOCK4_50"};
     Seen all{false, false, 0};
-    for (const auto& [wire, by] : binding.connected)
+    for (const auto& [wire, by] : binding.connected) {
         if (CLOCKS.count(by)) return {true, true, 0};
+        if (by == HIGH_AT_CLOCK_50) all.pins |= 1u << lsb_of(ChipPort::clocks_o, wire);
+    }
     for (const auto& [port, bits] : binding.ports)
         for (const auto& bit : bits) {
             if (!CLOCKS.count(bit.wire)) continue;
@@ -129,6 +134,10 @@ void add_board_clocks(const BoardDescription& board, Elaborated& elaborated, Bin
         sampling = &all[n];
     }
     if (sampling) sampling->use.reset();
+    if (monitor != binding.connected.end() && monitor->second == "CLOCK_50") {
+        monitor->second = HIGH_AT_CLOCK_50;
+        if (seen_of_clock_50(elaborated, binding).falls) monitor->second = "CLOCK_50";
+    }
     for (auto& [name, number] : binding.clocks) {
         const std::uint64_t period_fs = board.signal(name)->period_fs;
         const PllClock clock{period_fs, 0,      period_fs / 2,
@@ -205,12 +214,13 @@ std::string facts_text(const Project& project, const Elaborated& elaborated,
     return text + fmt::format(
                       "{{0, 0, 0, 0, false, false}}}};\nconstexpr unsigned PLL_CLOCK_COUNT = {};\n"
                       "constexpr bool CLOCK_50_ONLY_RISES = {}, CLOCK_50_SEEN = {};\n"
+                      "constexpr unsigned CLOCK_50_PINS = {};\n"
                       "constexpr bool TD_CLK27_USED = {}, VGA_USED = {};\n"
                       "constexpr bool AUD_XCK_USED = {}, AUD_CLOCKS_DRIVEN = {};\n"
                       "constexpr const char* SOURCE_FOLDERS[] = {{{}\"\"}};\n"
                       "constexpr unsigned SOURCE_FOLDER_COUNT = {};\n"
                       "constexpr sim::project::PlacedUart PLACED_UARTS[] = {{{}{{\"\", 0}}}};\n",
-                      elaborated.pll_clocks.size(), !clock_50.falls, clock_50.rises,
+                      elaborated.pll_clocks.size(), !clock_50.falls, clock_50.rises, clock_50.pins,
                       binding.has_td_clk, binding.has_vga, binding.has_xck,
                       binding.drives_codec_clocks, folders, below.size(), placed_uarts(project));
 }

@@ -95,8 +95,10 @@ public:
 #include "sim/pins/chip_wires.def"
         };
     }
-    void eval(std::uint64_t now_ps) override {
+    std::uint64_t eval(std::uint64_t now_ps, PinLevels& levels) override {
+        const DesignRoot& chip = *top_.rootp;
         context_.time(now_ps);
+        note_levels(levels, chip);
         if (!std::exchange(is_up_, true)) power_up(top_);
 #ifdef DE1SIM_TRACE
         top_.eval();
@@ -104,6 +106,8 @@ public:
         // Without what is around it for waveforms, for several threads and for objects of classes.
         evaluate(*top_.rootp);
 #endif
+        levels.clocks = chip.clocks_o;
+        return moved(levels, chip);
     }
     void final() override { top_.final(); }
 
@@ -136,10 +140,13 @@ constexpr bool PULSES = false;
 #else
 constexpr bool PULSES = true;
 #endif
-constexpr DesignFacts FACTS{
-    PLL_CLOCKS,          PLL_CLOCK_COUNT, PULSES,       CLOCK_50_ONLY_RISES, CLOCK_50_SEEN,
-    TD_CLK27_USED,       VGA_USED,        AUD_XCK_USED, AUD_CLOCKS_DRIVEN,   SOURCE_FOLDERS,
-    SOURCE_FOLDER_COUNT, PLACED_UARTS,    LOOPS};
+constexpr DesignFacts FACTS{PLL_CLOCKS,     PLL_CLOCK_COUNT,
+                            PULSES,         CLOCK_50_ONLY_RISES,
+                            CLOCK_50_SEEN,  CLOCK_50_PINS,
+                            TD_CLK27_USED,  VGA_USED,
+                            AUD_XCK_USED,   AUD_CLOCKS_DRIVEN,
+                            SOURCE_FOLDERS, SOURCE_FOLDER_COUNT,
+                            PLACED_UARTS,   LOOPS};
 
 }  // namespace
 

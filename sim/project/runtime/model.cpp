@@ -186,7 +186,7 @@ private:
         const Clocks::Edges edges =
             clocks_.edges([this](unsigned number, bool rises) { return move(number, rises); });
         if (edges.seen || edges.rising_pins) {
-            edges.seen ? eval() : note_pins();
+            edges.seen ? eval() : note_levels(levels_, top_);
             look(edges.rising_pins);
         }
         if (now_fs_ > xck_quiet_fs_) notify_xck(0);
@@ -268,10 +268,10 @@ private:
 
     void eval() {
         const std::uint64_t now = evaluated.time_ps = now_ps();
-        note_pins();
         try {
-            design_->eval(now);
+            moved_ = design_->eval(now, levels_);
         } catch (const Diverged& error) {
+            moved_ = ~std::uint64_t{0};
             const std::string why = facts_.loops[0] ? facts_.loops : error.what();
             end_run(Ending::Kind::DIVERGED, "the design oscillates: " + why);
         }
@@ -279,33 +279,25 @@ private:
             design_->dump(dumped_ps_ = std::max(now, dumped_ps_ + 1));
     }
 
-    void note_pins() { before_ = {top_.vga_o, top_.dram_o, top_.dram_dq_o}; }
-
     // `pins`: those that clocks_ has let rise, where the design lets them through.
     void look(unsigned pins = 0) {
         look_at_clocks(pins);
-        if (have_moved()) notify();
+        if (moved_) notify();
         peripherals_.tell(now_ps());
     }
 
     // The chip may drive other pins of headers at the same levels, too.
     void look_after_inputs() {
         look_at_clocks(0);
-        if (have_moved() | enable_moved(headers_, top_)) notify();
+        if (moved_ | enable_moved(headers_, top_)) notify();
         peripherals_.tell(now_ps());
     }
 
     void look_at_clocks(unsigned pins) {
-        const unsigned clocks = top_.clocks_o;
+        const unsigned clocks = levels_.clocks;
         const unsigned rises = (clocks & ~clocks_high_ & ~clocks_.pins()) | (clocks & pins);
         clocks_high_ = clocks;
         if (rises) clocks_rise(rises);
-    }
-
-    // One decision where nothing has moved, as at most edges.
-    std::uint64_t have_moved() const {
-        return (pins_ ^ top_.pins_o) | (lamps_.hex_n ^ top_.hex_no) | (lamps_.ledr ^ top_.ledr_o) |
-               levels_moved(headers_, top_);
     }
 
     void clocks_rise(unsigned which) {
@@ -315,33 +307,36 @@ private:
     }
 
     void notify() {
-        if (pins_ != top_.pins_o) look_at_pins();
+        moved_ = 0;
+        if (levels_.pins != top_.pins_o) look_at_pins();
         const LampPins lamps{top_.ledr_o, top_.hex_no};
         if (lamps.ledr != lamps_.ledr || lamps.hex_n != lamps_.hex_n) {
             lamps_ = lamps;
             listener_.lamps(lamps_, now_ps());
         }
+        levels_.ledr = lamps.ledr;
+        levels_.hex_n = lamps.hex_n;
         look_at_headers();
     }
 
     void look_at_pins() {
-        const unsigned moved = pins_ ^ top_.pins_o;
-        pins_ = top_.pins_o;
+        const unsigned moved = levels_.pins ^ top_.pins_o;
+        levels_.pins = top_.pins_o;
         look_at_codec();
         if (moved >> ADC_LSB & ADC_MASK) {
-            const unsigned adc = pins_ >> ADC_LSB;
+            const unsigned adc = levels_.pins >> ADC_LSB;
             listener_.adc({(adc & 1) != 0, (adc & 2) != 0, (adc & 4) != 0}, now_ps(), in);
             look_ = true;
         }
         if (moved >> GSENSOR_LSB & GSENSOR_MASK) {
-            const unsigned sensor = pins_ >> GSENSOR_LSB;
+            const unsigned sensor = levels_.pins >> GSENSOR_LSB;
             listener_.gsensor(
                 {(sensor & 1) != 0, (sensor & 2) != 0, (sensor & 4) != 0, (sensor & 8) != 0},
                 now_ps(), in);
             look_ = true;
         }
-        const unsigned ps2_low =
-            ~(pins_ >> PS2_LSB) & 15u & ~(top_.ps2_clk_low_i | unsigned{top_.ps2_dat_low_i} << 2);
+        const unsigned ps2_low = ~(levels_.pins >> PS2_LSB) & 15u &
+                                 ~(top_.ps2_clk_low_i | unsigned{top_.ps2_dat_low_i} << 2);
         if (ps2_low != ps2_) {
             ps2_ = ps2_low;
             listener_.ps2(ps2_ & 3, ps2_ >> 2, now_ps(), in);
@@ -352,7 +347,7 @@ private:
     void sample_video() {
         if (video_count_ == 0) first_sample_fs_ = now_fs_;
         last_sample_fs_ = now_fs_;
-        video_[video_count_++] = before_.vga;
+        video_[video_count_++] = levels_.vga;
         if (video_count_ == VIDEO_BATCH) flush();
     }
 
@@ -378,13 +373,14 @@ private:
     void look_at_headers() {
         if (!(levels_moved(headers_, top_) | enable_moved(headers_, top_))) return;
         headers_ = headers_of(top_);
+        take_headers(levels_, top_);
         listener_.headers(headers_, now_ps(), in);
         look_ = true;
     }
 
     void look_at_codec() {
-        const unsigned levels = pins_ >> CODEC_LSB & 0x1f, clocks = levels & 7;
-        const bool sdat_low = !(pins_ >> CODEC_LSB & 0x20) && !top_.i2c_sdat_low_i;
+        const unsigned levels = levels_.pins >> CODEC_LSB & 0x1f, clocks = levels & 7;
+        const bool sdat_low = !(levels_.pins >> CODEC_LSB & 0x20) && !top_.i2c_sdat_low_i;
         const unsigned codec = levels | unsigned{sdat_low} << 5;
         if (codec == codec_) return;
         const bool controls = ((codec ^ codec_) & 0x30) != 0, adcdat = in.adcdat;
@@ -419,14 +415,14 @@ private:
 
     // DQ is the memory's while it has a read to answer.
     void look_at_sdram() {
-        const unsigned pins = before_.dram;
+        const unsigned pins = levels_.dram;
         const bool selected = !(pins >> CS_LSB & 1), cke = pins >> CKE_LSB & 1;
         if (!selected && !sdram_busy_ && cke == cke_) return;
         cke_ = cke;
         const bool reads = (pins >> WE_LSB & 15) == 5, writes = (pins >> WE_LSB & 15) == 4;
         if (reads || writes) reading_ = reads;
         std::uint16_t dq = dq_;
-        listener_.sdram(sdram_of(pins, before_.dram_dq, !reading_ && (writes || sdram_busy_)),
+        listener_.sdram(sdram_of(pins, levels_.dram_dq, !reading_ && (writes || sdram_busy_)),
                         now_ps(), dq, sdram_busy_);
         const bool drives = sdram_busy_ && reading_;
         if (!drives && !dq_drives_) return;
@@ -465,11 +461,8 @@ private:
     std::uint64_t rises_27_ = 0;
     bool look_ = true, drives_ = false;  // `in` may have changed; peripherals_ has other levels
 
-    // On the pins before the last evaluation: what a part takes whose clock rose in that.
-    struct {
-        std::uint32_t vga, dram;
-        std::uint16_t dram_dq;
-    } before_{};
+    PinLevels levels_;
+    std::uint64_t moved_ = 0;  // not 0: since the board was notified, levels have
 
     std::uint32_t video_[VIDEO_BATCH];
     unsigned video_count_ = 0;
@@ -481,7 +474,7 @@ private:
     std::uint64_t dq_next_fs_ = NEVER;
     LampPins lamps_;
     HeaderPins headers_{};
-    unsigned clocks_high_ = 0, pins_ = 0;
+    unsigned clocks_high_ = 0;
     unsigned codec_ = 0, ps2_ = 0;  // ps2_: bit n port n's clock, bit 2 + n its data
     bool sdat_low_ = false;
     std::uint64_t xck_rises_ = 0, xck_fs_ = 0, xck_counted_fs_ = 0;  // xck_fs_: the board's period
