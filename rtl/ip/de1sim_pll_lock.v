@@ -10,12 +10,21 @@ module de1sim_pll_lock (
     input  wire rst_i,     // asynchronous
     output wire locked_o
 );
+    // The simulator leaves out the clocks of a reference that nobody else sees while no lock waits.
+    import "DPI-C" function void de1sim_pll_waits(input int more);
+
     reg [4:0] clocks_q;
     assign locked_o = clocks_q[4] && !rst_i;
 
+    initial de1sim_pll_waits(1);
     always @(posedge refclk_i or posedge rst_i)
-        if (rst_i) clocks_q <= 5'd0;
-        else if (!clocks_q[4]) clocks_q <= clocks_q + 5'd1;
+        if (rst_i) begin
+            if (clocks_q[4]) de1sim_pll_waits(1);
+            clocks_q <= 5'd0;
+        end else if (!clocks_q[4]) begin
+            if (clocks_q == 5'd15) de1sim_pll_waits(-1);
+            clocks_q <= clocks_q + 5'd1;
+        end
 endmodule
 
 `default_nettype wire

@@ -20,7 +20,31 @@ Node module_of(Node node) {
     return node;
 }
 
-// The variable that a reference means: of its block, or of one around it.
+// The variables of a module's blocks, by their block and name.
+class Variables {
+public:
+    explicit Variables(const Node& module) {
+        for (const auto& found : module.select_nodes(".//var"))
+            by_name_.emplace(std::pair{found.node().parent().hash_value(),
+                                       std::string{found.node().attribute("name").value()}},
+                             found.node());
+    }
+    // That a reference means: of its block, or of one around it.
+    Node of(const Node& reference) const {
+        const std::string name = text(reference, "name");
+        for (Node scope = reference.parent(); scope; scope = scope.parent()) {
+            const auto var = by_name_.find({scope.hash_value(), name});
+            if (var != by_name_.end()) return var->second;
+            if (kind(scope) == "module") break;
+        }
+        return {};
+    }
+
+private:
+    std::map<std::pair<std::size_t, std::string>, Node> by_name_;
+};
+
+// The same of a single reference.
 Node variable_of(const Node& reference) {
     const std::string name = text(reference, "name");
     for (Node scope = reference.parent(); scope; scope = scope.parent()) {
@@ -69,8 +93,9 @@ ClockUses::ClockUses(const Node& netlist) {
         modules_[text(module, "name")] = module;
         for (const auto& found : module.select_nodes(".//instance"))
             instances_[text(found.node(), "defName")].push_back(found.node());
+        const Variables variables{module};
         for (const auto& found : module.select_nodes(".//varref"))
-            if (const Node var = variable_of(found.node()))
+            if (const Node var = variables.of(found.node()))
                 references_[var.hash_value()].push_back(found.node());
         for (const auto& found : module.select_nodes(".//varxref"))
             seen_from_outside_.insert(text(found.node(), "name"));
@@ -166,7 +191,12 @@ private:
         }
         Node where = value.parent();
         if (is_target(value)) return true;
-        if (kind(where) == "senitem" && text(where, "edgeType") == "POS") return use.rises = true;
+        if (kind(where) == "senitem" && text(where, "edgeType") == "POS") {
+            const bool locks = text(module_of(where), "origName") == "de1sim_pll_lock";
+            use.locks |= locks;
+            use.rises |= !locks;
+            return true;
+        }
         if (kind(where) == "and" && design_.width_of(where) == 1 && has_tap(module_of(where))) {
             value = where;
             where = where.parent();

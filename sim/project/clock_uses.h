@@ -24,7 +24,8 @@ public:
 
     struct Use {
         bool rises = false;  // something happens at its rise
-        std::vector<PortBit> pins{};
+        bool locks = false;  // a PLL counts its rises until it is locked (de1sim_pll_lock.v)
+        std::vector<PortBit> pins{};  // of the top, that follow it
     };
     // Of what copies of de1sim_pll_tap drive, from the name of their module, or of a port of one
     // bit by which the top gets it; nothing if something else may depend on it.  On its way it

@@ -158,6 +158,13 @@ std::map<std::string, std::set<std::string>> used_taps(const pugi::xml_node& net
     return used;
 }
 
+// Of two clocks that have become one: each pin may be held low by another reset.
+std::optional<ClockUses::Use> use_of_both(const std::optional<ClockUses::Use>& a,
+                                          const std::optional<ClockUses::Use>& b) {
+    if (!a || !b || !a->pins.empty() || !b->pins.empty()) return {};
+    return ClockUses::Use{a->rises || b->rises, a->locks || b->locks};
+}
+
 }  // namespace
 
 Elaborated read_elaborated(const std::filesystem::path& file, const std::string& top) {
@@ -179,8 +186,8 @@ Elaborated read_elaborated(const std::filesystem::path& file, const std::string&
                     const Port port = port_of(var, types);
                     ports.emplace(index.as_int(), port);
                     if (port.direction != Direction::INPUT || port.vector) continue;
-                    const auto use = uses.of_input(var);
-                    if (use && use->pins.empty()) design.only_rise_inputs.insert(port.name);
+                    if (const auto use = uses.of_input(var))
+                        design.input_uses.emplace(port.name, *use);
                 }
             for (const auto& [index, port] : ports) design.ports.push_back(port);
         }
@@ -191,20 +198,15 @@ Elaborated read_elaborated(const std::filesystem::path& file, const std::string&
             for (const auto& var : module.children("var"))
                 if (var.attribute("param"))
                     values[var.attribute("origName").value()] = value_of(var);
-            const auto use = uses.of_tap(module.attribute("name").value());
-            const PllClock clock{values["PERIOD_FS"],
-                                 values["PHASE_FS"],
-                                 values["HIGH_FS"],
-                                 values["SETTABLE"] != 0,
-                                 tap->second,
-                                 use && !use->rises ? use->pins : std::vector<ClockUses::PortBit>{},
-                                 use && use->pins.empty() && !values["SETTABLE"]};
+            const PllClock clock{
+                values["PERIOD_FS"], values["PHASE_FS"],
+                values["HIGH_FS"],   values["SETTABLE"] != 0,
+                tap->second,         uses.of_tap(module.attribute("name").value())};
             auto& all = design.pll_clocks;
             const auto same = std::find(all.begin(), all.end(), clock);
             if (same != all.end()) {
                 same->names.insert(clock.names.begin(), clock.names.end());
-                same->pins.clear();
-                same->only_rises &= clock.only_rises;
+                same->use = use_of_both(same->use, clock.use);
             } else if (clock.period_fs) {
                 all.push_back(clock);
             }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -23,11 +24,9 @@ struct Port {
 // One output of a PLL, or a clock of the processor's, in femtoseconds.
 struct PllClock {
     std::uint64_t period_fs, phase_fs, high_fs;
-    bool is_settable;             // the design can change it
-    std::set<std::string> names;  // of what makes it: PLL, h2f_user0_clk
-    // The top's outputs that it drives and nothing else in the design sees; else empty.
-    std::vector<ClockUses::PortBit> pins;
-    bool only_rises;  // nothing sees more of it than its rise
+    bool is_settable;                   // the design can change it
+    std::set<std::string> names;        // of what makes it: PLL, h2f_user0_clk
+    std::optional<ClockUses::Use> use;  // nothing: anything may see all of it
     bool operator==(const PllClock& o) const {
         return period_fs == o.period_fs && phase_fs == o.phase_fs && high_fs == o.high_fs &&
                is_settable == o.is_settable;
@@ -43,8 +42,8 @@ struct InitFile {
 
 struct Elaborated {
     std::vector<Port> ports;
-    std::vector<PllClock> pll_clocks;        // each once
-    std::set<std::string> only_rise_inputs;  // the top's inputs of which likewise
+    std::vector<PllClock> pll_clocks;                  // each once
+    std::map<std::string, ClockUses::Use> input_uses;  // the top's inputs of which it is known
     std::vector<InitFile> init_files;
 };
 

@@ -21,32 +21,82 @@ std::string escaped(const std::string& text) {
     return safe;
 }
 
-// Bits of clocks_o, if the clock drives these pins and nothing else; else 0.
-unsigned clock_pins(const PllClock& clock, const Binding& binding) {
+// Who sees a clock.
+struct Seen {
+    bool rises, falls;  // by the design, or as a level by the board
+    unsigned pins;      // bits of clocks_o that it drives
+};
+
+// A pin that is none of clocks_o is seen as a level; one that nothing simulates, not at all.
+Seen seen(const std::optional<ClockUses::Use>& use, const Binding& binding) {
+    if (!use) return {true, true, 0};
     unsigned pins = 0;
-    for (const auto& [name, bit] : clock.pins) {
+    for (const auto& [name, bit] : use->pins) {
         const auto bound = std::find_if(binding.ports.begin(), binding.ports.end(),
                                         [&](const auto& port) { return port.port.name == name; });
-        if (bound == binding.ports.end()) return 0;
+        if (bound == binding.ports.end()) return {true, true, 0};
         const std::string& wire = bound->bits.at(bound->bits.size() - 1 - bit).wire;
         if (wire.empty()) continue;
         const unsigned in_clocks = lsb_of(ChipPort::clocks_o, wire);
-        if (in_clocks == NO_BIT) return 0;
+        if (in_clocks == NO_BIT) return {true, true, 0};
         pins |= 1u << in_clocks;
     }
-    return pins;
+    const bool rises = use->rises || use->locks;
+    return {rises, rises && pins != 0, pins};
 }
 
-// Whether nothing in the design sees more of CLOCK_50 than its rise.
-bool clock_50_only_rises(const Elaborated& elaborated, const Binding& binding) {
+bool is_seen(const PllClock& clock, const Binding& binding) {
+    const Seen by = seen(clock.use, binding);
+    return by.rises || by.pins != 0;
+}
+
+bool is_pins_alone(const PllClock& clock, const Binding& binding) {
+    const Seen by = seen(clock.use, binding);
+    return !by.rises && by.pins != 0;
+}
+
+bool only_rises(const PllClock& clock, const Binding& binding) {
+    const Seen by = seen(clock.use, binding);
+    return by.rises && !by.falls && !clock.is_settable;
+}
+
+// Of de1sim_chip.v: what a pin has that rises with CLOCK_50, while its fall is left out.
+constexpr const char* HIGH_AT_CLOCK_50 = "high_at_clock_50";
+
+// What sees CLOCK_50, but for PLLs that are not locked.
+Seen seen_of_clock_50(const Elaborated& elaborated, const Binding& binding) {
     static const std::set<std::string> CLOCKS{"CLOCK_50", "CLOCK2_50", "CLOCK3_50", "CLOCK4_50"};
-    for (const auto& [wire, by] : binding.connected)
-        if (CLOCKS.count(by)) return false;
+    Seen all{false, false, 0};
+    for (const auto& [wire, by] : binding.connected) {
+        if (CLOCKS.count(by)) return {true, true, 0};
+        if (by == HIGH_AT_CLOCK_50) all.pins |= 1u << lsb_of(ChipPort::clocks_o, wire);
+    }
     for (const auto& [port, bits] : binding.ports)
-        for (const auto& bit : bits)
-            if (CLOCKS.count(bit.wire) && !elaborated.only_rise_inputs.count(port.name))
-                return false;
-    return true;
+        for (const auto& bit : bits) {
+            if (!CLOCKS.count(bit.wire)) continue;
+            const auto use = elaborated.input_uses.find(port.name);
+            if (use == elaborated.input_uses.end()) return {true, true, 0};
+            auto without_locks = use->second;
+            without_locks.locks = false;
+            const Seen by = seen(without_locks, binding);
+            if (by.falls || by.pins) return {true, true, 0};
+            all.rises |= by.rises;
+        }
+    return all;
+}
+
+// Of a clock of the board that is none of the chip's wires.
+std::optional<ClockUses::Use> use_of(const std::string& signal, const Elaborated& elaborated,
+                                     const Binding& binding) {
+    ClockUses::Use all;
+    for (const auto& [port, bits] : binding.ports)
+        for (const auto& bit : bits) {
+            if (bit.signal != signal) continue;
+            const auto use = elaborated.input_uses.find(port.name);
+            if (use == elaborated.input_uses.end() || !use->second.pins.empty()) return {};
+            all.rises |= use->second.rises || use->second.locks;
+        }
+    return all;
 }
 
 // A clock by an input of the chip.
@@ -77,21 +127,29 @@ void add_board_clocks(const BoardDescription& board, Elaborated& elaborated, Bin
     PllClock* sampling = nullptr;
     for (std::size_t n = 0; n < all.size() && monitor != binding.connected.end(); ++n) {
         if (all[n].period_fs >= shortest_fs || all[n].period_fs < LEAST_SAMPLE_FS ||
-            clock_pins(all[n], binding))
+            is_pins_alone(all[n], binding))
             continue;
         shortest_fs = all[n].period_fs;
         monitor->second = fmt::format("pll_clocks[{}]", n);
         sampling = &all[n];
     }
-    if (sampling) sampling->only_rises = false;
+    if (sampling) sampling->use.reset();
+    if (monitor != binding.connected.end() && monitor->second == "CLOCK_50") {
+        monitor->second = HIGH_AT_CLOCK_50;
+        if (seen_of_clock_50(elaborated, binding).falls) monitor->second = "CLOCK_50";
+    }
     for (auto& [name, number] : binding.clocks) {
         const std::uint64_t period_fs = board.signal(name)->period_fs;
-        const PllClock clock{period_fs, 0, period_fs / 2, false, {name}, {}, false};
+        const PllClock clock{period_fs, 0,      period_fs / 2,
+                             false,     {name}, use_of(name, elaborated, binding)};
         auto same = std::find(all.begin(), all.end(), clock);
-        if (same == all.end()) same = all.insert(all.end(), clock);
+        if (same == all.end())
+            same = all.insert(all.end(), clock);
+        else
+            same->use.reset();
+        if (is_seen(*same, binding))
+            same->use.reset();  // it is that input itself, not a pulse of it
         same->names.insert(name);
-        same->pins.clear();
-        same->only_rises = false;
         number = static_cast<unsigned>(same - all.begin());
     }
 }
@@ -107,7 +165,7 @@ std::string tap_text(const Elaborated& elaborated, const Binding& binding) {
     std::string text =
         "// Written by de1sim: CLOCK_50 and the PLLs' outputs, as inputs of the chip.\n"
         "module de1sim_clock_50(input wire clk_i, output wire clk_o);\n    " +
-        clock_text("clk_i", "clk_o", clock_50_only_rises(elaborated, binding)) +
+        clock_text("clk_i", "clk_o", !seen_of_clock_50(elaborated, binding).falls) +
         "\nendmodule\n"
         "module de1sim_pll_tap #(\n"
         "    parameter [63:0] PERIOD_FS = 64'd0,\n"
@@ -132,7 +190,8 @@ std::string tap_text(const Elaborated& elaborated, const Binding& binding) {
                                                 "de1sim_pll_set({}, period_fs_i, high_fs_i);\n",
                                                 n)
                                   : "",
-            clock_text(fmt::format("de1sim_chip.pll_clocks[{}]", n), "clk", clocks[n].only_rises));
+            clock_text(fmt::format("de1sim_chip.pll_clocks[{}]", n), "clk",
+                       only_rises(clocks[n], binding)));
     return text + "    endgenerate\nendmodule\n";
 }
 
@@ -147,17 +206,21 @@ std::string facts_text(const Project& project, const Elaborated& elaborated,
         "// Written by de1sim.\n#pragma once\n"
         "constexpr sim::project::PllTimes PLL_CLOCKS[] = {";
     for (const PllClock& clock : elaborated.pll_clocks)
-        text += fmt::format("{{{}ull, {}ull, {}ull, {}, {}}}, ", clock.period_fs, clock.phase_fs,
-                            clock.high_fs, clock_pins(clock, binding), clock.only_rises);
+        text += fmt::format("{{{}ull, {}ull, {}ull, {}, {}, {}}}, ", clock.period_fs,
+                            clock.phase_fs, clock.high_fs,
+                            is_pins_alone(clock, binding) ? seen(clock.use, binding).pins : 0,
+                            only_rises(clock, binding), is_seen(clock, binding));
+    const Seen clock_50 = seen_of_clock_50(elaborated, binding);
     return text + fmt::format(
-                      "{{0, 0, 0, 0, false}}}};\nconstexpr unsigned PLL_CLOCK_COUNT = {};\n"
-                      "constexpr bool CLOCK_50_ONLY_RISES = {};\n"
+                      "{{0, 0, 0, 0, false, false}}}};\nconstexpr unsigned PLL_CLOCK_COUNT = {};\n"
+                      "constexpr bool CLOCK_50_ONLY_RISES = {}, CLOCK_50_SEEN = {};\n"
+                      "constexpr unsigned CLOCK_50_PINS = {};\n"
                       "constexpr bool TD_CLK27_USED = {}, VGA_USED = {};\n"
                       "constexpr bool AUD_XCK_USED = {}, AUD_CLOCKS_DRIVEN = {};\n"
                       "constexpr const char* SOURCE_FOLDERS[] = {{{}\"\"}};\n"
                       "constexpr unsigned SOURCE_FOLDER_COUNT = {};\n"
                       "constexpr sim::project::PlacedUart PLACED_UARTS[] = {{{}{{\"\", 0}}}};\n",
-                      elaborated.pll_clocks.size(), clock_50_only_rises(elaborated, binding),
+                      elaborated.pll_clocks.size(), !clock_50.falls, clock_50.rises, clock_50.pins,
                       binding.has_td_clk, binding.has_vga, binding.has_xck,
                       binding.drives_codec_clocks, folders, below.size(), placed_uarts(project));
 }

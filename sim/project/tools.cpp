@@ -1,5 +1,7 @@
 #include "sim/project/tools.h"
 
+#include <sstream>
+
 #include <unistd.h>
 
 #include <fmt/format.h>
@@ -33,6 +35,22 @@ std::string function_for_triggers(const fs::path& source) {
         if (text.find("void " + function + "(") != std::string::npos) return function;
     }
     return {};
+}
+
+// Whether nothing is computed between an edge and what happens at it, as in most designs: of the
+// model's function for that, if it is in this file, there are only the lines that each has.
+bool has_empty_act(const fs::path& source) {
+    const std::string text = text_of(source);
+    const std::string name = "\nvoid Vde1sim_chip___024root___eval_act(";
+    const std::size_t begin = text.find('\n', text.find(name) + 1);
+    if (text.find(name) == std::string::npos || begin == std::string::npos) return false;
+    std::istringstream body{text.substr(begin + 1, text.find("\n}", begin) - begin)};
+    for (std::string line; std::getline(body, line);)
+        if (line.find("// Prevent unused") == std::string::npos &&
+            line.find("vlSymsp VL_ATTR_UNUSED = ") == std::string::npos &&
+            line.find("VL_DEBUG_IF(") == std::string::npos)
+            return false;
+    return true;
 }
 
 }  // namespace
@@ -79,11 +97,13 @@ void compile_library(const fs::path& folder, const fs::path& objects, bool trace
     std::string fast, slow = "#pragma GCC optimize \"O0\"\n";  // what runs once
     std::uintmax_t slow_bytes = 0;
     std::string triggers;
+    bool nothing_in_act = false;
     for (const auto& entry : fs::directory_iterator{objects}) {
         const std::string file = entry.path().filename().string();
         if (entry.path().extension() != ".cpp") continue;
         const bool is_slow = file.find("__Slow") != std::string::npos;
         if (triggers.empty()) triggers = function_for_triggers(entry.path());
+        nothing_in_act |= !is_slow && has_empty_act(entry.path());
         (is_slow ? slow : fast) += fmt::format("#include \"{}\"\n", file);
         if (is_slow) slow_bytes += entry.file_size();
     }
@@ -116,6 +136,8 @@ void compile_library(const fs::path& folder, const fs::path& objects, bool trace
                            {"-include", "triggers.h", "-c", "-I.", "-I" + folder.string(),
                             fmt::format("{}.cxx", name), "-o", fmt::format("{}.o", name)});
             command.push_back("-DDE1SIM_EVAL_TRIGGERS=" + triggers);
+            if (nothing_in_act && verilator.version == "5.006")
+                command.emplace_back("-DDE1SIM_NOTHING_IN_ACT");
             if (trace) command.emplace_back("-DDE1SIM_TRACE");
         }
         for (const Outcome& one : run_commands(commands, objects, limit.left_s()))

@@ -18,9 +18,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* RUNTIME = "libdesign_runtime.a";
-constexpr const char* RUNTIME_SOURCES[] = {"analog.cpp",     "bridge.cpp",  "endings.cpp",
-                                           "jtag.cpp",       "masters.cpp", "model.cpp",
-                                           "peripherals.cpp"};
+constexpr const char* RUNTIME_SOURCES[] = {"analog.cpp",      "bridge.cpp",  "endings.cpp",
+                                           "jtag.cpp",        "masters.cpp", "model.cpp",
+                                           "peripherals.cpp", "plls.cpp"};
 constexpr unsigned OLDEST_MAJOR = 5, OLDEST_MINOR = 6;
 
 std::string version_of(const std::string& output) {

@@ -149,6 +149,41 @@ endmodule
         self.assertIn("VGA_CLK does not rise", done.stderr)
 
 
+class Lock(Case):
+    """A PLL's, which counts 16 clocks of its reference: 60 to 64 of 200 MHz."""
+
+    DESIGN = """\
+module top(input CLOCK_50, input [9:0] SW, output [9:0] LEDR);
+wire clk, unused, locked;
+reg [7:0] n = 0, waited = 0;
+reg was = 0, other = 0;
+altera_pll #(.number_of_clocks(2), .output_clock_frequency0("200.0 MHz"),
+             .output_clock_frequency1("33.0 MHz")) pll (
+    .refclk(CLOCK_50), .rst(SW[0]), .outclk({unused, clk}), .locked(locked));
+always @(posedge clk) begin
+    was <= locked;
+    n <= locked ? 0 : n + 1;
+    if (locked != was) waited <= n;
+end
+assign LEDR = {locked, other, 7'd0, waited >= 60 && waited <= 65};
+endmodule
+"""
+    USE = "always @(posedge CLOCK_50) other <= SW[1];\nassign"
+
+    def test_comes_in_time_where_nothing_else_sees_the_reference(self):
+        for design in self.DESIGN, self.DESIGN.replace("assign", self.USE):
+            with self.subTest(design):
+                self.write(top_v=design)
+                self.plays("delay: 1ms", 'expect-leds: "1000000001"',
+                           "hold: {switch: 0, bounce: 0ms}", "delay: 1ms",
+                           'expect-leds: "0000000001"',
+                           "release: {switch: 0, bounce: 0ms}", "delay: 1ms",
+                           'expect-leds: "1000000001"')
+                facts = (self.folder / ".de1sim/de1sim_facts.h").read_text()
+                self.assertIn("CLOCK_50_SEEN = " + str("[1]" in design).lower(), facts)
+                self.assertRegex(facts, "30303030.*, false, false}, {0,")  # the other output
+
+
 class Sdram(Case):
     DESIGN = """\
 module top(input CLOCK_50, input [9:0] SW, output reg [9:0] LEDR, output DRAM_CLK, %s

@@ -23,13 +23,16 @@ class Clocks {
 public:
     static constexpr unsigned IS_CLOCK_50 = 64, IS_CLOCK_27 = 65;
 
-    // All begin low.  `holds`: the clocks that only pins see; not for waveforms, which show them.
+    // All begin low.  `holds`: the clocks that only pins see, and those that nothing sees; not for
+    // waveforms, which show them.
     Clocks(const DesignFacts& design, bool holds) {
-        add(CLOCK_50_FS, CLOCK_50_FS, CLOCK_50_FS / 2, IS_CLOCK_50, 0,
+        pins_ = holds ? design.clock_50_pins : 0;
+        add(CLOCK_50_FS, CLOCK_50_FS, CLOCK_50_FS / 2, IS_CLOCK_50, pins_,
             design.pulses && design.clock_50_only_rises);
         if (design.td_clk27_used) add(CLOCK_27_FS, CLOCK_27_FS, CLOCK_27_FS / 2, IS_CLOCK_27);
         for (unsigned n = 0; n < design.pll_clock_count; ++n) {
             const PllTimes& pll = design.pll_clocks[n];
+            if (holds && !pll.is_seen) continue;
             const bool pulses = pll.high_fs > 0 && pll.high_fs < pll.period_fs;
             const unsigned pins = holds ? pll.pins : 0;
             add(CLOCK_50_FS + pll.phase_fs, pll.period_fs, pulses ? pll.high_fs : pll.period_fs / 2,
@@ -62,7 +65,7 @@ public:
         unsigned rising_pins;  // of pins()
     };
     // Calls move(number, rises) for each that moves then and is not held: a PLL's clock, or one of
-    // the above.
+    // the above.  It returns whether the design sees that.
     template <class Move>
     Edges edges(Move move) {
         const std::uint64_t now_fs = next_fs_;
@@ -72,12 +75,8 @@ public:
             if (clock.next_fs == now_fs) {
                 clock.high = !clock.high;
                 clock.next_fs += clock.high ? clock.high_fs : clock.low_fs;
-                if (clock.pins) {
-                    edges.rising_pins |= clock.high ? clock.pins : 0;
-                } else {
-                    edges.seen = true;
-                    move(clock.number, clock.high);
-                }
+                if (clock.high || clock.only_rises) edges.rising_pins |= clock.pins;
+                if (!clock.is_held) edges.seen |= move(clock.number, clock.high);
             }
             next_fs = std::min(next_fs, clock.next_fs);
         }
@@ -89,12 +88,14 @@ private:
     struct Clock {
         std::uint64_t next_fs, high_fs, low_fs;
         unsigned number, pins;
-        bool high;
+        bool only_rises, is_held, high;
     };
     void add(std::uint64_t rises_fs, std::uint64_t period_fs, std::uint64_t high_fs,
              unsigned number, unsigned pins = 0, bool only_rises = false) {
         if (only_rises) high_fs = period_fs, period_fs *= 2;
-        clocks_.push_back({rises_fs, high_fs, period_fs - high_fs, number, pins, false});
+        const bool is_held = pins && number != IS_CLOCK_50;
+        clocks_.push_back(
+            {rises_fs, high_fs, period_fs - high_fs, number, pins, only_rises, is_held, false});
     }
 
     std::uint64_t next_fs_ = NEVER, held_ = 0;

@@ -22,6 +22,11 @@ module de1sim_chip (
 
     wire        CLOCK_50, CLOCK2_50 = CLOCK_50, CLOCK3_50 = CLOCK_50, CLOCK4_50 = CLOCK_50;
     de1sim_clock_50 clock_50(.clk_i(clock_50_i), .clk_o(CLOCK_50));  // beside de1sim_pll_tap
+`ifdef DE1SIM_TRACE
+    wire        high_at_clock_50 = CLOCK_50;
+`else
+    wire        high_at_clock_50 = 1'b1;  // a pin that rises with it: runtime/clocks.h counts
+`endif
     wire        TD_CLK27 = clock_27_i;
     wire [63:0] pll_clocks = pll_clocks_i;  // taken from here by de1sim_pll_tap
 

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "Vde1sim_chip.h"
@@ -24,6 +25,8 @@ void Vde1sim_chip___024root___eval_initial(DesignRoot*);
 void Vde1sim_chip___024root___eval_settle(DesignRoot*);
 void DE1SIM_EVAL_TRIGGERS(DesignRoot*);  // of which the name depends on Verilator's release
 void Vde1sim_chip___024root___eval(DesignRoot*);
+void Vde1sim_chip___024root___eval_ico(DesignRoot*);
+void Vde1sim_chip___024root___eval_nba(DesignRoot*);
 
 namespace sim::project {
 
@@ -50,6 +53,34 @@ void power_up(Vde1sim_chip& chip) {
     execute_once_again(root, 0);
 }
 
+#ifdef DE1SIM_NOTHING_IN_ACT
+// What hangs on inputs without a register, if anything does.
+template <class Root>
+auto eval_inputs(Root& root, int) -> decltype(void(root.__VicoTriggered)) {
+    static_assert(std::is_same_v<decltype(root.__VicoTriggered), VlTriggerVec<1>>);
+    root.__VicoTriggered.at(0) = 1;
+    Vde1sim_chip___024root___eval_ico(&root);
+}
+template <class Root>
+void eval_inputs(Root&, long) {}
+
+// As ___eval() of Verilator 5.006, where nothing is computed between an edge and what happens at
+// it.  That looks for edges twice before it goes on.
+void evaluate(DesignRoot& root) {
+    constexpr unsigned MOST_ROUNDS = 100;  // as there
+    eval_inputs(root, 0);
+    for (unsigned round = 0; round <= MOST_ROUNDS; ++round) {
+        DE1SIM_EVAL_TRIGGERS(&root);
+        if (!root.__VactTriggered.any()) return;
+        root.__VnbaTriggered = root.__VactTriggered;
+        Vde1sim_chip___024root___eval_nba(&root);
+    }
+    Vde1sim_chip___024root___eval(&root);  // says that it has no end
+}
+#else
+void evaluate(DesignRoot& root) { Vde1sim_chip___024root___eval(&root); }
+#endif
+
 // Otherwise it starts a thread for each processor of the machine, which the design never uses.
 VerilatedContext* of_one_thread(VerilatedContext& context) {
     context.threads(1);
@@ -64,15 +95,19 @@ public:
 #include "sim/pins/chip_wires.def"
         };
     }
-    void eval(std::uint64_t now_ps) override {
+    std::uint64_t eval(std::uint64_t now_ps, PinLevels& levels) override {
+        const DesignRoot& chip = *top_.rootp;
         context_.time(now_ps);
+        note_levels(levels, chip);
         if (!std::exchange(is_up_, true)) power_up(top_);
 #ifdef DE1SIM_TRACE
         top_.eval();
 #else
         // Without what is around it for waveforms, for several threads and for objects of classes.
-        Vde1sim_chip___024root___eval(top_.rootp);
+        evaluate(*top_.rootp);
 #endif
+        levels.clocks = chip.clocks_o;
+        return moved(levels, chip);
     }
     void final() override { top_.final(); }
 
@@ -105,9 +140,13 @@ constexpr bool PULSES = false;
 #else
 constexpr bool PULSES = true;
 #endif
-constexpr DesignFacts FACTS{
-    PLL_CLOCKS,   PLL_CLOCK_COUNT,   PULSES,         CLOCK_50_ONLY_RISES, TD_CLK27_USED, VGA_USED,
-    AUD_XCK_USED, AUD_CLOCKS_DRIVEN, SOURCE_FOLDERS, SOURCE_FOLDER_COUNT, PLACED_UARTS,  LOOPS};
+constexpr DesignFacts FACTS{PLL_CLOCKS,     PLL_CLOCK_COUNT,
+                            PULSES,         CLOCK_50_ONLY_RISES,
+                            CLOCK_50_SEEN,  CLOCK_50_PINS,
+                            TD_CLK27_USED,  VGA_USED,
+                            AUD_XCK_USED,   AUD_CLOCKS_DRIVEN,
+                            SOURCE_FOLDERS, SOURCE_FOLDER_COUNT,
+                            PLACED_UARTS,   LOOPS};
 
 }  // namespace
 

@@ -20,6 +20,7 @@
 #include "sim/project/runtime/masters.h"
 #include "sim/project/runtime/measured_clock.h"
 #include "sim/project/runtime/peripherals.h"
+#include "sim/project/runtime/plls.h"
 
 namespace sim::project {
 
@@ -30,8 +31,6 @@ constexpr std::uint64_t FS_PER_PS = 1'000;
 // clock may lead by 3 ns, as the University Program has it.
 constexpr std::uint64_t DQ_DELAY_FS = 8'000'000;
 constexpr unsigned VIDEO_BATCH = 800, MOST_TURNS = 100;
-
-Clocks* clocks_of_design = nullptr;  // of the one that is evaluated
 
 class DesignModel final : public FpgaModel {
 public:
@@ -49,6 +48,7 @@ public:
         set_processor_memory(settings.memory);
         evaluated = {&ending_, settings.report, 0};
         clocks_of_design = &clocks_;
+        pll_locks_waiting = 0;
         top_.pll_clocks_i = clocks_.held();
         const InFolder in_folder{settings.folder};  // where the design's files are
         eval();
@@ -197,9 +197,11 @@ private:
     void edge() {
         now_fs_ = clocks_.next_fs();
         const Clocks::Edges edges =
-            clocks_.edges([this](unsigned number, bool rises) { move(number, rises); });
-        edges.seen ? eval() : note_pins();
-        look(edges.rising_pins);
+            clocks_.edges([this](unsigned number, bool rises) { return move(number, rises); });
+        if (edges.seen || edges.rising_pins) {
+            edges.seen ? eval() : note_levels(levels_, top_);
+            look(edges.rising_pins);
+        }
         if (xck_.stops(now_fs_)) notify_xck();
         if (look_) settle();
         if (posted_writes.count() && is_bridge_free()) give_posted();
@@ -218,8 +220,11 @@ private:
         stop_fs_ = std::min(agenda_fs_, until_fs_);
     }
 
-    void move(unsigned number, bool rises) {
+    // False: nothing would see it.
+    bool move(unsigned number, bool rises) {
         if (number == Clocks::IS_CLOCK_50) {
+            if (!facts_.clock_50_seen && pll_locks_waiting == 0 && trace_.file.empty())
+                return false;
             top_.clock_50_i = !top_.clock_50_i;
         } else if (number == Clocks::IS_CLOCK_27) {
             top_.clock_27_i = !top_.clock_27_i;
@@ -227,6 +232,7 @@ private:
         } else {
             top_.pll_clocks_i ^= std::uint64_t{1} << number;
         }
+        return true;
     }
 
     // The board answers what the chip does, and the chip may answer that without a clock.
@@ -276,10 +282,10 @@ private:
 
     void eval() {
         const std::uint64_t now = evaluated.time_ps = now_ps();
-        note_pins();
         try {
-            design_->eval(now);
+            moved_ = design_->eval(now, levels_);
         } catch (const Diverged& error) {
+            moved_ = ~std::uint64_t{0};
             const std::string why = facts_.loops[0] ? facts_.loops : error.what();
             end_run(Ending::Kind::DIVERGED, "the design oscillates: " + why);
         }
@@ -287,33 +293,25 @@ private:
             design_->dump(dumped_ps_ = std::max(now, dumped_ps_ + 1));
     }
 
-    void note_pins() { before_ = {top_.vga_o, top_.dram_o, top_.dram_dq_o}; }
-
     // `pins`: those that clocks_ has let rise, where the design lets them through.
     void look(unsigned pins = 0) {
         look_at_clocks(pins);
-        if (have_moved()) notify();
+        if (moved_) notify();
         peripherals_.tell(now_ps());
     }
 
     // The chip may drive other pins of headers at the same levels, too.
     void look_after_inputs() {
         look_at_clocks(0);
-        if (have_moved() | enable_moved(headers_, top_)) notify();
+        if (moved_ | enable_moved(headers_, top_)) notify();
         peripherals_.tell(now_ps());
     }
 
     void look_at_clocks(unsigned pins) {
-        const unsigned clocks = top_.clocks_o;
+        const unsigned clocks = levels_.clocks;
         const unsigned rises = (clocks & ~clocks_high_ & ~clocks_.pins()) | (clocks & pins);
         clocks_high_ = clocks;
         if (rises) clocks_rise(rises);
-    }
-
-    // One decision where nothing has moved, as at most edges.
-    std::uint64_t have_moved() const {
-        return (pins_ ^ top_.pins_o) | (lamps_.hex_n ^ top_.hex_no) | (lamps_.ledr ^ top_.ledr_o) |
-               levels_moved(headers_, top_);
     }
 
     void clocks_rise(unsigned which) {
@@ -323,33 +321,36 @@ private:
     }
 
     void notify() {
-        if (pins_ != top_.pins_o) look_at_pins();
+        moved_ = 0;
+        if (levels_.pins != top_.pins_o) look_at_pins();
         const LampPins lamps{top_.ledr_o, top_.hex_no};
         if (lamps.ledr != lamps_.ledr || lamps.hex_n != lamps_.hex_n) {
             lamps_ = lamps;
             listener_.lamps(lamps_, now_ps());
         }
+        levels_.ledr = lamps.ledr;
+        levels_.hex_n = lamps.hex_n;
         look_at_headers();
     }
 
     void look_at_pins() {
-        const unsigned moved = pins_ ^ top_.pins_o;
-        pins_ = top_.pins_o;
+        const unsigned moved = levels_.pins ^ top_.pins_o;
+        levels_.pins = top_.pins_o;
         look_at_codec();
         if (moved >> ADC_LSB & ADC_MASK) {
-            const unsigned adc = pins_ >> ADC_LSB;
+            const unsigned adc = levels_.pins >> ADC_LSB;
             listener_.adc({(adc & 1) != 0, (adc & 2) != 0, (adc & 4) != 0}, now_ps(), in);
             look_ = true;
         }
         if (moved >> GSENSOR_LSB & GSENSOR_MASK) {
-            const unsigned sensor = pins_ >> GSENSOR_LSB;
+            const unsigned sensor = levels_.pins >> GSENSOR_LSB;
             listener_.gsensor(
                 {(sensor & 1) != 0, (sensor & 2) != 0, (sensor & 4) != 0, (sensor & 8) != 0},
                 now_ps(), in);
             look_ = true;
         }
-        const unsigned ps2_low =
-            ~(pins_ >> PS2_LSB) & 15u & ~(top_.ps2_clk_low_i | unsigned{top_.ps2_dat_low_i} << 2);
+        const unsigned ps2_low = ~(levels_.pins >> PS2_LSB) & 15u &
+                                 ~(top_.ps2_clk_low_i | unsigned{top_.ps2_dat_low_i} << 2);
         if (ps2_low != ps2_) {
             ps2_ = ps2_low;
             listener_.ps2(ps2_ & 3, ps2_ >> 2, now_ps(), in);
@@ -360,7 +361,7 @@ private:
     void sample_video() {
         if (video_count_ == 0) first_sample_fs_ = now_fs_;
         last_sample_fs_ = now_fs_;
-        video_[video_count_++] = before_.vga;
+        video_[video_count_++] = levels_.vga;
         if (video_count_ == VIDEO_BATCH) flush();
     }
 
@@ -379,13 +380,14 @@ private:
     void look_at_headers() {
         if (!(levels_moved(headers_, top_) | enable_moved(headers_, top_))) return;
         headers_ = headers_of(top_);
+        take_headers(levels_, top_);
         listener_.headers(headers_, now_ps(), in);
         look_ = true;
     }
 
     void look_at_codec() {
-        const unsigned levels = pins_ >> CODEC_LSB & 0x1f, clocks = levels & 7;
-        const bool sdat_low = !(pins_ >> CODEC_LSB & 0x20) && !top_.i2c_sdat_low_i;
+        const unsigned levels = levels_.pins >> CODEC_LSB & 0x1f, clocks = levels & 7;
+        const bool sdat_low = !(levels_.pins >> CODEC_LSB & 0x20) && !top_.i2c_sdat_low_i;
         const unsigned codec = levels | unsigned{sdat_low} << 5;
         if (codec == codec_) return;
         const bool controls = ((codec ^ codec_) & 0x30) != 0, adcdat = in.adcdat;
@@ -414,14 +416,14 @@ private:
 
     // DQ is the memory's while it has a read to answer.
     void look_at_sdram() {
-        const unsigned pins = before_.dram;
+        const unsigned pins = levels_.dram;
         const bool selected = !(pins >> CS_LSB & 1), cke = pins >> CKE_LSB & 1;
         if (!selected && !sdram_busy_ && cke == cke_) return;
         cke_ = cke;
         const bool reads = (pins >> WE_LSB & 15) == 5, writes = (pins >> WE_LSB & 15) == 4;
         if (reads || writes) reading_ = reads;
         std::uint16_t dq = dq_;
-        listener_.sdram(sdram_of(pins, before_.dram_dq, !reading_ && (writes || sdram_busy_)),
+        listener_.sdram(sdram_of(pins, levels_.dram_dq, !reading_ && (writes || sdram_busy_)),
                         now_ps(), dq, sdram_busy_);
         const bool drives = sdram_busy_ && reading_;
         if (!drives && !dq_drives_) return;
@@ -460,11 +462,8 @@ private:
     std::uint64_t rises_27_ = 0;
     bool look_ = true, drives_ = false;  // `in` may have changed; peripherals_ has other levels
 
-    // On the pins before the last evaluation: what a part takes whose clock rose in that.
-    struct {
-        std::uint32_t vga, dram;
-        std::uint16_t dram_dq;
-    } before_{};
+    PinLevels levels_;
+    std::uint64_t moved_ = 0;  // not 0: since the board was notified, levels have
 
     std::uint32_t video_[VIDEO_BATCH];
     unsigned video_count_ = 0;
@@ -476,7 +475,7 @@ private:
     std::uint64_t dq_next_fs_ = NEVER;
     LampPins lamps_;
     HeaderPins headers_{};
-    unsigned clocks_high_ = 0, pins_ = 0;
+    unsigned clocks_high_ = 0;
     unsigned codec_ = 0, ps2_ = 0;  // ps2_: bit n port n's clock, bit 2 + n its data
     bool sdat_low_ = false;
     MeasuredClock xck_;
@@ -491,10 +490,3 @@ FpgaModel* play(std::unique_ptr<Design> design, const DesignFacts& facts, PinLis
 }
 
 }  // namespace sim::project
-
-extern "C" void de1sim_pll_set(int number, long long period_fs, long long high_fs) {
-    if (sim::project::clocks_of_design)
-        sim::project::clocks_of_design->set(static_cast<unsigned>(number),
-                                            static_cast<std::uint64_t>(period_fs),
-                                            static_cast<std::uint64_t>(high_fs));
-}
