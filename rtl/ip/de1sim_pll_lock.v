@@ -10,8 +10,7 @@ module de1sim_pll_lock (
     input  wire rst_i,     // asynchronous
     output wire locked_o
 );
-    // The simulator leaves out the clocks of a reference that nobody else sees while no lock waits.
-    import "DPI-C" function void de1sim_pll_waits(input int more);
+    `include "de1sim_pll.vh"
 
     reg [4:0] clocks_q;
     assign locked_o = clocks_q[4] && !rst_i;

@@ -21,8 +21,11 @@ std::ostream& operator<<(std::ostream& out, const Tap& tap) {
 }
 
 std::map<std::string, Tap> taps;  // by the instance of the PLL and the clock's number
+int locks_waiting = 0;
 
 }  // namespace
+
+extern "C" void de1sim_pll_waits(int more) { locks_waiting += more; }
 
 extern "C" void tap_found(long long period_fs, long long phase_fs, long long high_fs,
                           const char* path) {
@@ -45,6 +48,7 @@ class Pll : public testing::Test {
 protected:
     Pll() {
         taps.clear();
+        locks_waiting = 0;
         dut.clkena_i = 3;
         dut.pllena_i = 1;
         dut.eval();
@@ -103,13 +107,16 @@ TEST_F(Pll, HoldsAClockLowWithoutItsEnableOrThePlls) {
 TEST_F(Pll, IsLockedAfterSixteenClocksWithoutReset) {
     refclk(LOCK_CLOCKS - 1);
     EXPECT_FALSE(dut.wizard_locked_o || dut.generated_locked_o);
+    EXPECT_GT(locks_waiting, 0);
     refclk(1);
     EXPECT_TRUE(dut.wizard_locked_o && dut.generated_locked_o);
+    EXPECT_EQ(locks_waiting, 0);
     refclk(100);
     EXPECT_TRUE(dut.wizard_locked_o && dut.generated_locked_o);
     dut.rst_i = 1;
     dut.eval();
     EXPECT_FALSE(dut.wizard_locked_o || dut.generated_locked_o);
+    EXPECT_GT(locks_waiting, 0);
     refclk(100);
     dut.rst_i = 0;
     refclk(LOCK_CLOCKS - 1);
