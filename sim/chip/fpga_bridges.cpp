@@ -76,11 +76,11 @@ FpgaBridges::FpgaBridges(const sc_core::sc_module_name& name, FpgaChip& fpga, Bu
     lw.register_b_transport(this, &FpgaBridges::lightweight_transport);
     h2f.register_b_transport(this, &FpgaBridges::full_transport);
     lw.register_get_direct_mem_ptr(this, &FpgaBridges::direct_in_lightweight);
+    h2f.register_get_direct_mem_ptr(this, &FpgaBridges::direct_in_full);
     SC_HAS_PROCESS(FpgaBridges);
     SC_METHOD(look_at_posted);
     sensitive << look_at_posted_;
     dont_initialize();
-    h2f.register_get_direct_mem_ptr(this, &FpgaBridges::direct_in_full);
 }
 
 unsigned FpgaBridges::id_of(bool write, const AxiAttributes& how) {

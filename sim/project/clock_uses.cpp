@@ -20,40 +20,6 @@ Node module_of(Node node) {
     return node;
 }
 
-// The variables of a module's blocks, by their block and name.
-class Variables {
-public:
-    explicit Variables(const Node& module) {
-        for (const auto& found : module.select_nodes(".//var"))
-            by_name_.emplace(std::pair{found.node().parent().hash_value(),
-                                       std::string{found.node().attribute("name").value()}},
-                             found.node());
-    }
-    // That a reference means: of its block, or of one around it.
-    Node of(const Node& reference) const {
-        const std::string name = text(reference, "name");
-        for (Node scope = reference.parent(); scope; scope = scope.parent()) {
-            const auto var = by_name_.find({scope.hash_value(), name});
-            if (var != by_name_.end()) return var->second;
-            if (kind(scope) == "module") break;
-        }
-        return {};
-    }
-
-private:
-    std::map<std::pair<std::size_t, std::string>, Node> by_name_;
-};
-
-// The same of a single reference.
-Node variable_of(const Node& reference) {
-    const std::string name = text(reference, "name");
-    for (Node scope = reference.parent(); scope; scope = scope.parent()) {
-        if (const Node var = scope.find_child_by_attribute("var", "name", name.c_str())) return var;
-        if (kind(scope) == "module") break;
-    }
-    return {};
-}
-
 // 32'h1f
 std::optional<int> number(const Node& constant) {
     const std::string name = text(constant, "name");
@@ -93,9 +59,12 @@ ClockUses::ClockUses(const Node& netlist) {
         modules_[text(module, "name")] = module;
         for (const auto& found : module.select_nodes(".//instance"))
             instances_[text(found.node(), "defName")].push_back(found.node());
-        const Variables variables{module};
+        for (const auto& found : module.select_nodes(".//var"))
+            variables_.emplace(
+                std::pair{found.node().parent().hash_value(), text(found.node(), "name")},
+                found.node());
         for (const auto& found : module.select_nodes(".//varref"))
-            if (const Node var = variables.of(found.node()))
+            if (const Node var = variable_of(found.node()))
                 references_[var.hash_value()].push_back(found.node());
         for (const auto& found : module.select_nodes(".//varxref"))
             seen_from_outside_.insert(text(found.node(), "name"));
@@ -106,6 +75,17 @@ ClockUses::ClockUses(const Node& netlist) {
 int ClockUses::width_of(const Node& expression) const {
     const auto width = widths_.find(text(expression, "dtype_id"));
     return width == widths_.end() ? 0 : width->second;
+}
+
+// That a reference means: of its block, or of one around it.
+ClockUses::Node ClockUses::variable_of(const Node& reference) const {
+    const std::string name = text(reference, "name");
+    for (Node scope = reference.parent(); scope; scope = scope.parent()) {
+        const auto var = variables_.find({scope.hash_value(), name});
+        if (var != variables_.end()) return var->second;
+        if (kind(scope) == "module") break;
+    }
+    return {};
 }
 
 // The bits of what is assigned to, from the right; empty: not known.

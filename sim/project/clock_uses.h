@@ -43,13 +43,15 @@ private:
     class Path;
 
     int width_of(const Node& expression) const;
+    Node variable_of(const Node& reference) const;
     std::vector<Net> nets_of(const Node& target) const;
 
-    std::map<std::string, int> widths_;                    // of types, by their id
-    std::map<std::string, Node> modules_;                  // by name
-    std::map<std::string, std::vector<Node>> instances_;   // by the module's name
-    std::map<std::size_t, std::vector<Node>> references_;  // by the variable
-    std::set<std::string> seen_from_outside_;              // by a hierarchical name
+    std::map<std::string, int> widths_;                              // of types, by their id
+    std::map<std::string, Node> modules_;                            // by name
+    std::map<std::string, std::vector<Node>> instances_;             // by the module's name
+    std::map<std::pair<std::size_t, std::string>, Node> variables_;  // by their block and name
+    std::map<std::size_t, std::vector<Node>> references_;            // by the variable
+    std::set<std::string> seen_from_outside_;                        // by a hierarchical name
 };
 
 }  // namespace sim::project
