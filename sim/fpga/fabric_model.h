@@ -6,13 +6,21 @@
 
 #include "sim/fpga/fabric.h"
 
+#ifndef DE1SIM_PORTS_ALONE
+#include "sim/verilated/evaluate.h"
+#endif
+
 #include "Vfpga.h"
 #include "verilated.h"
 #ifndef DE1SIM_PORTS_ALONE
 #include "Vfpga___024root.h"
 #endif
 #if !defined DE1SIM_PORTS_ALONE && !defined DE1SIM_TRACE
-void Vfpga___024root___eval(Vfpga___024root *);  // which none of the model's headers has
+// Which none of the model's headers has.
+void Vfpga___024root___eval(Vfpga___024root *);
+void Vfpga___024root___eval_ico(Vfpga___024root *);
+void Vfpga___024root___eval_nba(Vfpga___024root *);
+void Vfpga___024root___eval_triggers__act(Vfpga___024root *);
 #endif
 #ifdef DE1SIM_TRACE
 #include "verilated_fst_c.h"
@@ -99,7 +107,12 @@ struct Fabric::Model {
 inline void Fabric::Model::eval([[maybe_unused]] std::uint64_t time_ps) {
 #if !defined DE1SIM_PORTS_ALONE && !defined DE1SIM_TRACE
     // Without what is around it for waveforms and for several threads.
+#if VERILATOR_VERSION_INTEGER == 5006000  // and its eval_act() is empty (a test: EmptyAct)
+    verilated::evaluate<Vfpga___024root___eval_ico, Vfpga___024root___eval_triggers__act,
+                        Vfpga___024root___eval_nba, Vfpga___024root___eval>(*top.rootp);
+#else
     Vfpga___024root___eval(top.rootp);
+#endif
 #else
     top.eval();
 #endif

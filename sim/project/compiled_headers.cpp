@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* HEADERS =
-    "#include \"triggers.h\"\n#include \"verilated_dpi.h\"\n#include <memory>\n";
+    "#include \"sim/verilated/triggers.h\"\n#include \"verilated_dpi.h\"\n#include <memory>\n";
 constexpr const char* NOTES = ".notes";
 constexpr std::size_t MAX_NOTES = 1 << 20;
 

@@ -37,22 +37,6 @@ std::string function_for_triggers(const fs::path& source) {
     return {};
 }
 
-// Whether nothing is computed between an edge and what happens at it, as in most designs: of the
-// model's function for that, if it is in this file, there are only the lines that each has.
-bool has_empty_act(const fs::path& source) {
-    const std::string text = text_of(source);
-    const std::string name = "\nvoid Vde1sim_chip___024root___eval_act(";
-    const std::size_t begin = text.find('\n', text.find(name) + 1);
-    if (text.find(name) == std::string::npos || begin == std::string::npos) return false;
-    std::istringstream body{text.substr(begin + 1, text.find("\n}", begin) - begin)};
-    for (std::string line; std::getline(body, line);)
-        if (line.find("// Prevent unused") == std::string::npos &&
-            line.find("vlSymsp VL_ATTR_UNUSED = ") == std::string::npos &&
-            line.find("VL_DEBUG_IF(") == std::string::npos)
-            return false;
-    return true;
-}
-
 }  // namespace
 
 void link_to(const fs::path& folder, const fs::path& link) {
@@ -91,6 +75,20 @@ std::optional<fs::path> model_of(const std::string& module) {
     return {};
 }
 
+bool has_empty_act(const fs::path& source, const std::string& model) {
+    const std::string text = text_of(source);
+    const std::string name = "\nvoid " + model + "___024root___eval_act(";
+    const std::size_t begin = text.find('\n', text.find(name) + 1);
+    if (text.find(name) == std::string::npos || begin == std::string::npos) return false;
+    std::istringstream body{text.substr(begin + 1, text.find("\n}", begin) - begin)};
+    for (std::string line; std::getline(body, line);)
+        if (line.find("// Prevent unused") == std::string::npos &&
+            line.find("vlSymsp VL_ATTR_UNUSED = ") == std::string::npos &&
+            line.find("VL_DEBUG_IF(") == std::string::npos)
+            return false;
+    return true;
+}
+
 void compile_library(const fs::path& folder, const fs::path& objects, bool trace,
                      const Verilator& verilator, const TimeLimit& limit) {
     const fs::path data = data_folder();
@@ -103,7 +101,7 @@ void compile_library(const fs::path& folder, const fs::path& objects, bool trace
         if (entry.path().extension() != ".cpp") continue;
         const bool is_slow = file.find("__Slow") != std::string::npos;
         if (triggers.empty()) triggers = function_for_triggers(entry.path());
-        nothing_in_act |= !is_slow && has_empty_act(entry.path());
+        nothing_in_act |= !is_slow && has_empty_act(entry.path(), "Vde1sim_chip");
         (is_slow ? slow : fast) += fmt::format("#include \"{}\"\n", file);
         if (is_slow) slow_bytes += entry.file_size();
     }
@@ -132,9 +130,9 @@ void compile_library(const fs::path& folder, const fs::path& objects, bool trace
             if (name[0] == 's' && !apart) continue;
             auto& command = commands.emplace_back(compiler);
             command.insert(command.end(), headers.begin(), headers.end());
-            command.insert(command.end(),
-                           {"-include", "triggers.h", "-c", "-I.", "-I" + folder.string(),
-                            fmt::format("{}.cxx", name), "-o", fmt::format("{}.o", name)});
+            command.insert(command.end(), {"-include", "sim/verilated/triggers.h", "-c", "-I.",
+                                           "-I" + folder.string(), fmt::format("{}.cxx", name),
+                                           "-o", fmt::format("{}.o", name)});
             command.push_back("-DDE1SIM_EVAL_TRIGGERS=" + triggers);
             if (nothing_in_act && verilator.version == "5.006")
                 command.emplace_back("-DDE1SIM_NOTHING_IN_ACT");

@@ -29,6 +29,11 @@ std::string seen_from(const std::filesystem::path& folder, const std::filesystem
 
 bool is_writable(const std::filesystem::path& folder);
 
+// Whether a model of Verilator 5.006 computes nothing between an edge and what happens at it, as
+// most do (verilated/evaluate.h): of its eval_act(), if it is in this file, there are only the
+// lines that each model has.
+bool has_empty_act(const std::filesystem::path& source, const std::string& model);
+
 // Verilator's output in `objects`, with runtime/design.cpp: objects/chip.so.  `folder` has
 // de1sim_facts.h.  ProjectError.
 void compile_library(const std::filesystem::path& folder, const std::filesystem::path& objects,

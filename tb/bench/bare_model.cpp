@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "sim/verilated/triggers.h"  // before the model's own headers
+
 #include "Vfpga.h"
 #include "Vfpga___024root.h"
 #include "sim/fpga/asynchronous_clock.h"

@@ -156,7 +156,7 @@ std::optional<ArmStop> ArmCore::Engine::next(std::uint64_t left) {
     if (straight == Code::FAR && code_.is_blank(pc, cpu.thumb())) return ArmStop::RAN_OFF;
     if (straight > left || straight == Code::FAR) return step();
     // Nothing but this branch is executed until run() ends.
-    const bool spins = code_.is_spin(pc, cpu.thumb()) && it_state(cpu.cpsr()) == 0;
+    const bool spins = straight == 1 && code_.is_spin(pc, cpu.thumb()) && it_state(cpu.cpsr()) == 0;
     return run_translated(static_cast<unsigned>(std::min<std::uint64_t>(left, Code::FAR - 1)),
                           spins ? 0 : longest);
 }

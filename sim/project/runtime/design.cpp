@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <type_traits>
 #include <utility>
 
 #include "Vde1sim_chip.h"
@@ -14,6 +13,7 @@
 #endif
 
 #include "design.h"
+#include "sim/verilated/evaluate.h"
 
 #include "de1sim_facts.h"  // PLL_CLOCKS and so on
 #include "de1sim_loops.h"  // LOOPS
@@ -53,33 +53,15 @@ void power_up(Vde1sim_chip& chip) {
     execute_once_again(root, 0);
 }
 
-#ifdef DE1SIM_NOTHING_IN_ACT
-// What hangs on inputs without a register, if anything does.
-template <class Root>
-auto eval_inputs(Root& root, int) -> decltype(void(root.__VicoTriggered)) {
-    static_assert(std::is_same_v<decltype(root.__VicoTriggered), VlTriggerVec<1>>);
-    root.__VicoTriggered.at(0) = 1;
-    Vde1sim_chip___024root___eval_ico(&root);
-}
-template <class Root>
-void eval_inputs(Root&, long) {}
-
-// As ___eval() of Verilator 5.006, where nothing is computed between an edge and what happens at
-// it.  That looks for edges twice before it goes on.
+// Without what is around it for waveforms, for several threads and for objects of classes.
 void evaluate(DesignRoot& root) {
-    constexpr unsigned MOST_ROUNDS = 100;  // as there
-    eval_inputs(root, 0);
-    for (unsigned round = 0; round <= MOST_ROUNDS; ++round) {
-        DE1SIM_EVAL_TRIGGERS(&root);
-        if (!root.__VactTriggered.any()) return;
-        root.__VnbaTriggered = root.__VactTriggered;
-        Vde1sim_chip___024root___eval_nba(&root);
-    }
-    Vde1sim_chip___024root___eval(&root);  // says that it has no end
-}
+#ifdef DE1SIM_NOTHING_IN_ACT
+    verilated::evaluate<Vde1sim_chip___024root___eval_ico, DE1SIM_EVAL_TRIGGERS,
+                        Vde1sim_chip___024root___eval_nba, Vde1sim_chip___024root___eval>(root);
 #else
-void evaluate(DesignRoot& root) { Vde1sim_chip___024root___eval(&root); }
+    Vde1sim_chip___024root___eval(&root);
 #endif
+}
 
 // Otherwise it starts a thread for each processor of the machine, which the design never uses.
 VerilatedContext* of_one_thread(VerilatedContext& context) {
@@ -103,7 +85,6 @@ public:
 #ifdef DE1SIM_TRACE
         top_.eval();
 #else
-        // Without what is around it for waveforms, for several threads and for objects of classes.
         evaluate(*top_.rootp);
 #endif
         levels.clocks = chip.clocks_o;

@@ -18,24 +18,32 @@
 
 template <std::size_t COUNT>
 class VlTriggerVec final {
+    static constexpr std::size_t WORDS = (COUNT + 63) / 64;
+
 public:
-    class Flag {
+    // Some of the flags in a word: whether any of them is set.
+    class Flags {
     public:
-        Flag(std::uint64_t& word, unsigned bit) : word_{word}, bit_{bit} {}
-        operator bool() const { return word_ >> bit_ & 1; }
-        void operator=(std::uint64_t value) {
-            word_ = (word_ & ~(std::uint64_t{1} << bit_)) | std::uint64_t{value != 0} << bit_;
+        Flags(std::uint64_t& word, std::uint64_t bits) : word_{word}, bits_{bits} {}
+        operator bool() const { return (word_ & bits_) != 0; }
+        void operator=(std::uint64_t value) { word_ = (word_ & ~bits_) | (value != 0 ? bits_ : 0); }
+        // One look at the word, where the flags are in the same.
+        auto operator|(const Flags& o) const {
+            if constexpr (WORDS == 1)
+                return Flags{word_, bits_ | o.bits_};
+            else
+                return bool{*this} | bool{o};
         }
 
     private:
         std::uint64_t& word_;
-        const unsigned bit_;
+        const std::uint64_t bits_;
     };
 
     void clear() {
         for (std::uint64_t& word : words_) word = 0;
     }
-    Flag at(std::size_t n) { return {words_[n / 64], static_cast<unsigned>(n % 64)}; }
+    Flags at(std::size_t n) { return {words_[n / 64], std::uint64_t{1} << n % 64}; }
     bool any() const {
         std::uint64_t all = 0;
         for (const std::uint64_t word : words_) all |= word;
@@ -49,7 +57,6 @@ public:
     }
 
 private:
-    static constexpr std::size_t WORDS = (COUNT + 63) / 64;
     std::uint64_t words_[WORDS] = {};
 };
 #endif
