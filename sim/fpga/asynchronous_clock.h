@@ -29,8 +29,8 @@ public:
 
     void next() {
         ++changes_;
-        clocks_ += half_ / parts_;
-        part_ += half_ % parts_;
+        clocks_ += half_clocks_;
+        part_ += half_part_;
         if (part_ >= parts_) part_ -= parts_, ++clocks_;
     }
 
@@ -52,6 +52,7 @@ private:
     }
 
     std::uint64_t half_, parts_;  // half a period, a clock
+    std::uint64_t half_clocks_ = half_ / parts_, half_part_ = half_ % parts_;
     std::uint64_t changes_ = 0;
     std::uint64_t clocks_ = 0, part_ = 1;  // the first would be one part after the beginning
 };

@@ -3,7 +3,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 
 namespace sim::project {
 
@@ -19,7 +19,9 @@ std::string text_of(const fs::path& file) {
         throw ProjectError{file.string() + ": larger than 64 MB, expected a source file"};
     std::ifstream in{file, std::ios::binary};
     if (!in) throw ProjectError{file.string() + ": " + std::strerror(errno)};
-    return {std::istreambuf_iterator<char>{in}, {}};
+    std::ostringstream text;
+    text << in.rdbuf();  // at once, not character by character
+    return text.str();
 }
 
 }  // namespace sim::project
