@@ -127,11 +127,14 @@ void Builder::elaborate() {
     }
 }
 
-fs::path Builder::tree() const { return folder_ / (as_json_ ? "design.json" : "design.xml"); }
+// Of the last elaboration: a design is elaborated again where Verilator has told what it lacks.
+fs::path Builder::tree() const {
+    return folder_ / fmt::format("design{}.{}", elaborations_, as_json_ ? "json" : "xml");
+}
 
-// False: parameters that the top has not are left out now, as Quartus does.  Many are the global
-// ones of Intel's IP.
+// False: it has to be elaborated once more, otherwise.
 bool Builder::write_tree() {
+    ++elaborations_;
     auto command = verilator_command(design_.project, includes_);
     command.insert(command.end(), {"-O0", "-Wwarn-lint", "-Wwarn-PINMISSING", "-DDE1SIM_LISTS",
                                    "--Mdir", "tree", "--top-module", design_.project.top});
@@ -144,45 +147,52 @@ bool Builder::write_tree() {
     const auto parameters = verilator_options(design_.project.parameters);
     command.insert(command.end(), parameters.begin(), parameters.end());
     for (const fs::path& file : files_) command.push_back(file.string());
+    // The command's key, and what was printed: with a tree, or with an error that was mended.
     const std::string key = key_of(command);
-    const fs::path kept = folder_ / "design.kept";  // the key of the tree, and what was printed
+    const std::string with_tree = key + " tree\n", with_error = key + " error\n";
+    const fs::path kept = folder_ / fmt::format("design{}.kept", elaborations_);
     std::error_code error;
-    if (fs::is_regular_file(kept, error) && fs::is_regular_file(tree(), error)) {
-        const std::string text = text_of(kept);
-        if (text.compare(0, key.size(), key) == 0) {
-            verilator_output_ = text.substr(key.size());
-            return true;
-        }
+    const std::string text = fs::is_regular_file(kept, error) ? text_of(kept) : "";
+    if (text.compare(0, with_tree.size(), with_tree) == 0 && fs::is_regular_file(tree(), error)) {
+        verilator_output_ = text.substr(with_tree.size());
+        return true;
     }
-    fs::remove(kept, error);
     try {
+        if (text.compare(0, with_error.size(), with_error) == 0)
+            throw ProjectError{text.substr(with_error.size())};
+        fs::remove(kept, error);
         verilator_output_ = run_tool(command, folder_, limit_);
-        write_whole_file(kept, key + verilator_output_);
     } catch (const ProjectError& e) {
-        const std::string_view text = e.what();
-        if (!design_.project.why_missing.empty() &&
-            (text.find("12006: no file defines module") != std::string_view::npos ||
-             text.find("pragma protect") != std::string_view::npos))  // in an encrypted file
-            throw ProjectError{design_.project.why_missing};
-        if (!as_json_ && text.find("--xml-only") != std::string_view::npos) {
-            as_json_ = true;
-            return false;
-        }
-        if (fit_inout(e.what())) return false;
-        bool left_out = false;
-        for (const std::string& name : unknown_parameters(e.what())) {
-            const auto set = design_.project.parameters.find(name);
-            if (set == design_.project.parameters.end()) continue;
-            design_.project.notes.push_back(
-                fmt::format("{}: set_parameter {} is passed over: {} has no such parameter",
-                            set->second.place, name, design_.project.top));
-            design_.project.parameters.erase(set);
-            left_out = true;
-        }
-        if (!left_out) throw;
+        if (!mend(e.what())) throw;
+        write_whole_file(kept, with_error + e.what());
         return false;
     }
+    write_whole_file(kept, with_tree + verilator_output_);
     return true;
+}
+
+// Whether the next elaboration is without what this error of Verilator's is about.  ProjectError:
+// its cause is known.
+bool Builder::mend(const std::string& said) {
+    if (!design_.project.why_missing.empty() &&
+        (said.find("12006: no file defines module") != std::string::npos ||
+         said.find("pragma protect") != std::string::npos))  // in an encrypted file
+        throw ProjectError{design_.project.why_missing};
+    if (!as_json_ && said.find("--xml-only") != std::string::npos) return as_json_ = true;
+    if (fit_inout(said)) return true;
+    // Parameters that the top has not are left out, as Quartus does.  Many are the global ones of
+    // Intel's IP.
+    bool left_out = false;
+    for (const std::string& name : unknown_parameters(said)) {
+        const auto set = design_.project.parameters.find(name);
+        if (set == design_.project.parameters.end()) continue;
+        design_.project.notes.push_back(
+            fmt::format("{}: set_parameter {} is passed over: {} has no such parameter",
+                        set->second.place, name, design_.project.top));
+        design_.project.parameters.erase(set);
+        left_out = true;
+    }
+    return left_out;
 }
 
 // False: the error is another than of an inout port that is connected with more or fewer bits.

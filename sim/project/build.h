@@ -65,6 +65,7 @@ private:
     void elaborate();
     void read_tree();
     bool write_tree();
+    bool mend(const std::string& said);
     std::filesystem::path tree() const;
     void generate();
     std::string key() const;
@@ -84,7 +85,8 @@ private:
     std::map<std::string, TextChecks> checks_;                 // by file
     std::map<std::string, std::vector<InoutFit>> inout_fits_;  // by file
     std::string verilator_output_;  // by Verilator of the last elaboration
-    bool as_json_ = false;          // it cannot write XML
+    unsigned elaborations_ = 0;
+    bool as_json_ = false;  // it cannot write XML
     bool examined_ = false;
 };
 

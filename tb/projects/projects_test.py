@@ -304,10 +304,41 @@ class Building(Case):
         for files in {}, {}, {"gate_vh": "`define GATE ~SW\n"}, {"top_v": LEDS.format("SW")}:
             self.write(**files)
             self.assertEqual(self.de1sim("check", ".").returncode, 0)
-            tree, = [*self.folder.rglob("design.xml"), *self.folder.rglob("design.json")]
+            tree = max(self.folder.rglob("design*.kept"))
             elaborated.append(tree.stat().st_mtime_ns)
         self.assertEqual(elaborated[0], elaborated[1])
         self.assertEqual(len(set(elaborated)), 3)
+
+    def test_a_design_that_asks_verilator_several_times_does_so_once(self):
+        """A parameter that its top lacks, generics by Verilog, an inout with bits left over."""
+        self.write(p_qsf="set_global_assignment -name TOP_LEVEL_ENTITY top\n"
+                   "set_global_assignment -name VERILOG_FILE top.v\nset_parameter -name DEPTH 5\n"
+                   "set_global_assignment -name VHDL_FILE part.vhd\n",
+                   top_v="module top(input [9:0] SW, output [9:0] LEDR, inout [3:0] GPIO_0);\n"
+                         "part #(.n(10)) p(SW, LEDR); pad q(.io(GPIO_0)); endmodule\n"
+                         "module pad(inout [4:0] io); assign io = 5'bz; endmodule\n",
+                   part_vhd="library ieee; use ieee.std_logic_1164.all;\n"
+                            "entity part is generic (n : integer := 2);\n"
+                            "port (a : in std_logic_vector(n - 1 downto 0);\n"
+                            "  b : out std_logic_vector(n - 1 downto 0)); end;\n"
+                            "architecture x of part is begin b <= not a; end;\n")
+        real = shutil.which("verilator")
+        tool = self.folder / "bin" / "verilator"
+        tool.parent.mkdir()
+        tool.write_text(f'#!/bin/sh\n[ "$1" = --version ] || echo x >> {self.folder}/runs\n'
+                        f'exec {real} "$@"\n')
+        tool.chmod(0o755)
+        environment = dict(os.environ, PATH=f"{tool.parent}:{os.environ['PATH']}")
+        runs, said = [], []
+        for _ in range(2):
+            done = subprocess.run([DE1SIM, "check", "."], cwd=self.folder, capture_output=True,
+                                  text=True, env=environment)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            runs.append((self.folder / "runs").read_text().count("x"))
+            said.append(done.stdout + done.stderr)
+        self.assertGreaterEqual(runs[0], 4)
+        self.assertEqual(runs[1], runs[0])
+        self.assertEqual(said[1], said[0])
 
     def test_two_at_once_build_once(self):
         self.write(top_v=LEDS.format("SW"))
