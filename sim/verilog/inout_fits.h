@@ -7,14 +7,14 @@
 // Quartus warns and does the same.  Verilator refuses it, with the line and the numbers of bits.
 // So with outputs whose wire has more bits, of which others have another driver.
 //
-// Not handled: connections in the order of the ports; wires whose lowest bit has another number
-// than 0.
+// Not handled: wires whose lowest bit has another number than 0; two such instances in one line.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "sim/verilog/edits.h"
+#include "sim/verilog/instances.h"
 #include "sim/verilog/tokens.h"
 
 namespace sim::project {
@@ -25,6 +25,7 @@ struct InoutFit {
     unsigned bits, connected;  // of the port, and of the wire
 };
 
-void fit_inouts(const std::vector<Token>& tokens, const std::vector<InoutFit>& fits, Edits& edits);
+void fit_inouts(const std::vector<Token>& tokens, const Modules& modules,
+                const std::vector<InoutFit>& fits, Edits& edits);
 
 }  // namespace sim::project

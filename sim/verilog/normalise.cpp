@@ -78,7 +78,7 @@ public:
         begin_block_variables(tokens_.all, edits_);
         make_registers(tokens_, edits_);
         complete_lists(tokens_, edits_);
-        fit_inouts(tokens_.all, inout_fits, edits_);
+        fit_inouts(tokens_.all, modules, inout_fits, edits_);
         resets_ = reset_statements(tokens_.all);
         init_names_ = read_at_run_time(tokens_, edits_);
         for (std::size_t i = 0; i < tokens_.all.size(); ++i) {
