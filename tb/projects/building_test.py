@@ -65,7 +65,7 @@ class Building(Case):
         real = shutil.which("verilator")
         tool = self.folder / "bin" / "verilator"
         tool.parent.mkdir()
-        tool.write_text(f'#!/bin/sh\n[ "$1" = --version ] || echo x >> {self.folder}/runs\n'
+        tool.write_text(f'#!/bin/sh\n[ "$1" = --version ] || echo x >> "{self.folder}/runs"\n'
                         f'exec {real} "$@"\n')
         tool.chmod(0o755)
         environment = dict(os.environ, PATH=f"{tool.parent}:{os.environ['PATH']}")
