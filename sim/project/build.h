@@ -85,8 +85,8 @@ private:
     std::map<std::string, TextChecks> checks_;                 // by file
     std::map<std::string, std::vector<InoutFit>> inout_fits_;  // by file
     std::string verilator_output_;  // by Verilator of the last elaboration
-    unsigned elaborations_ = 0;
-    bool as_json_ = false;  // it cannot write XML
+    unsigned elaborations_ = 0;     // so far, each with a tree and Verilator's answer of its own
+    bool as_json_ = false;          // it cannot write XML
     bool examined_ = false;
 };
 

@@ -1,11 +1,12 @@
 // Boards as files: what they say, which is chosen, and how its signals become the chip's wires.
-#include <fstream>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "sim/project/binding.h"
 #include "sim/project/settings.h"
+#include "tb/support/temp_folder.h"
 
 namespace {
 
@@ -23,10 +24,10 @@ std::vector<BoardDescription> all() {
 }
 
 std::string refusal(const std::string& text) {
-    const std::string file = testing::TempDir() + "board.tsv";
-    std::ofstream{file} << text;
+    const TempFolder folder;
+    folder.put("board.tsv", text);
     try {
-        read_board(file);
+        read_board(folder / "board.tsv");
     } catch (const ProjectError& error) {
         return error.what();
     }

@@ -1,11 +1,11 @@
-// What is left out of an evaluation where a model's eval_act() is empty (verilated/evaluate.h).
+// Whether a model's eval_act() is empty, so that verilated/evaluate.h may leave it out.
 #include <filesystem>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "sim/files/whole_file.h"
 #include "sim/project/tools.h"
+#include "tb/support/temp_folder.h"
 
 namespace {
 
@@ -26,29 +26,27 @@ const char* const EMPTY =
     "}\n";
 
 bool has_empty_act_in(const std::string& text) {
-    const fs::path file = fs::path{testing::TempDir()} / "empty_act_test.cpp";
-    sim::write_whole_file(file, text);
-    const bool answer = has_empty_act(file, "Vx");
-    fs::remove(file);
-    return answer;
+    const TempFolder folder;
+    folder.put("Vx.cpp", text);
+    return has_empty_act(folder / "Vx.cpp", "Vx");
 }
 
-TEST(EmptyAct, has_only_the_lines_that_each_model_has) { EXPECT_TRUE(has_empty_act_in(EMPTY)); }
+TEST(EmptyAct, HasOnlyTheLinesThatEachModelHas) { EXPECT_TRUE(has_empty_act_in(EMPTY)); }
 
-TEST(EmptyAct, has_no_statement) {
+TEST(EmptyAct, HasNoStatement) {
     std::string text = EMPTY;
     text.insert(text.rfind('}'), "    Vx___024root___act_comb__TOP__0(vlSelf);\n");
     EXPECT_FALSE(has_empty_act_in(text));
 }
 
-TEST(EmptyAct, is_not_where_there_is_none) {
+TEST(EmptyAct, IsNotInAFileWithoutTheFunction) {
     std::string text = EMPTY;
     text.replace(text.find("eval_act"), 8, "eval_nba");
     EXPECT_FALSE(has_empty_act_in(text));
 }
 
 // fabric_model.h leaves it out without a look.
-TEST(EmptyAct, is_our_own_fpgas) {
+TEST(EmptyAct, IsThatOfOurOwnFpga) {
     if (std::string{VERILATOR_VERSION} != "5.006") GTEST_SKIP() << "of Verilator 5.006 alone";
     bool any = false;
     for (const auto& entry : fs::directory_iterator{FABRIC_MODEL})
